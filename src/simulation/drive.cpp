@@ -200,13 +200,6 @@ double shareOfSteps(const std::vector<DriveResult>& results, const Count& count)
   return all > 0 ? static_cast<double>(meant) / static_cast<double>(all) : 0.0;
 }
 
-void validate(const DriveParameters& parameters) {
-  checkRange("control_period", parameters.control_period, 0.001, 10.0);
-  checkRange("plan_every", parameters.plan_every, 0.001, 100.0);
-  visitRolloutParameters(parameters.rollout, RangeCheck());
-  checkRange("goal_radius", parameters.goal_radius, 0.001, 100.0);
-}
-
 }  // namespace
 
 double shareOf(Decision::Choice choice, const std::vector<DriveResult>& results) {
@@ -230,14 +223,14 @@ double shareOnPath(const std::vector<DriveResult>& results) {
 
 DriveResult drive(const World& world, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
                   NavigationAgent* agent, const DriveListener& listener) {
-  validate(parameters);
+  visitRolloutParameters(parameters.rollout, RangeCheck());
   SimulatedRobot robot(world, parameters.robot, task.start, seed);
   return Run(&robot, nullptr, task, parameters, agent, listener).run();
 }
 
 DriveResult drive(Traffic* traffic, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
                   NavigationAgent* agent, const DriveListener& listener) {
-  validate(parameters);
+  visitRolloutParameters(parameters.rollout, RangeCheck());
   SimulatedRobot robot(traffic, parameters.robot, task.start, seed);
   return Run(&robot, traffic, task, parameters, agent, listener).run();
 }

@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/common/picture_file.hpp"
 #include "lstm_planner/simulation/trace_picture.hpp"
 #include "simulation/map_canvas.hpp"
@@ -130,8 +129,6 @@ class DriveFilm::Screen {
 DriveFilm::DriveFilm(const OccupancyGrid& floor, const DriveTask& task, const std::string& folder,
                      const Parameters& parameters) {
   if (floor.columns() == 0 || floor.rows() == 0) throw std::invalid_argument("an empty map cannot be drawn");
-  checkRange("period", parameters.period, 1e-3, 1e3);
-  checkRange("longest_side", parameters.longest_side, 16, 10000);
   screen_ = std::make_unique<Screen>(floor, task, folder, parameters);
 }
 

@@ -200,9 +200,6 @@ void goOn(const Point2& place, Decision::Choice choice, bool on_path, std::vecto
 void writeTracePicture(const std::string& path, const OccupancyGrid& map, const TracePicture& picture,
                        int longest_side) {
   if (map.columns() == 0 || map.rows() == 0) throw std::invalid_argument("an empty map cannot be drawn");
-  if (longest_side < 16) {
-    throw std::invalid_argument("longest_side is " + std::to_string(longest_side) + ", expected 16 pixels or more");
-  }
   MapCanvas canvas(map, longest_side);
   for (const Circle& circle : picture.circles)
     canvas.circle(circle.center, circle.radius, colours::kObstacle, cv::FILLED);

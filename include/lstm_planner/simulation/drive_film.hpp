@@ -20,7 +20,7 @@ class DriveFilm {
   };
 
   /// `floor` says what is in the picture; its cells are not drawn. Frames are PNG files in `folder`, which must exist:
-  /// 0000.png, 0001.png ... Throws std::invalid_argument for an empty floor or bad parameters.
+  /// 0000.png, 0001.png ... Throws std::invalid_argument for an empty floor.
   DriveFilm(const OccupancyGrid& floor, const DriveTask& task, const std::string& folder, const Parameters& parameters);
   ~DriveFilm();
 
