@@ -14,8 +14,8 @@
 #include "tools/command_line.hpp"
 #include "tools/grid_options.hpp"
 #include "tools/output_file.hpp"
-#include "tools/progress.hpp"
 #include "tools/ranks.hpp"
+#include "tools/report_files.hpp"
 #include "tools/shared_file.hpp"
 
 namespace lstm_planner {
@@ -50,25 +50,6 @@ bool readOptions(const std::vector<std::string>& arguments, EvaluateOptions* opt
   });
   return line.parse(arguments);
 }
-
-/// Progress over all sets as if they were one.
-class SetProgress {
- public:
-  explicit SetProgress(const std::vector<GridTaskSet>& sets) {
-    for (const GridTaskSet& set : sets) tasks_ += set.tasks.size();
-  }
-  std::function<void(double)> ofSet(const GridTaskSet& set) {
-    const auto before = static_cast<double>(done_);
-    const auto tasks = static_cast<double>(set.tasks.size());
-    done_ += set.tasks.size();
-    return [=](double share) { bar_.show((before + share * tasks) / static_cast<double>(tasks_)); };
-  }
-
- private:
-  Progress bar_;
-  std::size_t tasks_ = 0;
-  std::size_t done_ = 0;
-};
 
 void writeJson(const EvaluateOptions& options, const std::vector<GridSetSummary>& summaries) {
   nlohmann::json json = {{"agent", options.grid.agent.agent}, {"model", options.grid.agent.model}};
@@ -132,28 +113,27 @@ int runEvaluate(const std::vector<std::string>& arguments) {
   if (!readOptions(arguments, &options)) return 0;
   if (!options.pictures.empty()) makeOutputFolder(options.pictures);
   const GridAgentMaker make_agent = gridAgentMaker(options.grid.agent);
-  const std::vector<GridTaskSet> sets = drawGridTaskSets(options.grid);
+  GridComparison comparison;
+  comparison.agents = {{{options.grid.agent.agent, make_agent}, false}};
+  comparison.sets = drawGridTaskSets(options.grid);
+  evaluateAll(options.grid.evaluation, &comparison);
+  if (!isFirstRank()) return 0;
 
-  SetProgress progress(sets);
   std::ostringstream details;
   CsvWriter csv(&details);
   csv.row("set", "map", "start_column", "start_row", "goal_column", "goal_row", "end", "optimum", "length", "steps",
           "seconds", "expanded", "peak_bytes", "network_steps", "search_steps", "boundary_steps", "greedy_steps",
           "network_steps_on_path", "steps_overruled_by_shield", "steps_overruled_by_bound");
   std::vector<GridSetSummary> summaries;
-  for (const GridTaskSet& set : sets) {
-    GridEvaluationOptions evaluation = options.grid.evaluation;
-    evaluation.progress = progress.ofSet(set);
-    evaluation.communicator = ranks();
-    const std::vector<GridEpisode> episodes = evaluateGridTasks(set, 0, set.tasks.size(), make_agent, evaluation);
-    if (!isFirstRank()) continue;
+  for (std::size_t i = 0; i < comparison.sets.size(); ++i) {
+    const GridTaskSet& set = comparison.sets[i];
+    const std::vector<GridEpisode>& episodes = comparison.episodes[i].front();
     summaries.push_back(summarizeGridEpisodes(set.name, episodes));
     writeDetails(set, episodes, &csv);
     if (!options.pictures.empty()) drawSome(options, set, episodes, make_agent);
   }
-  if (!isFirstRank()) return 0;
   printGridSummaries(std::cout, summaries);
-  for (const GridTaskSet& set : sets) {
+  for (const GridTaskSet& set : comparison.sets) {
     printLeftOut(set, set.without_path, "without a path (length 0)");
     printLeftOut(set, set.with_blocked_end, "that start or end on a cell that is not passable");
   }

@@ -49,25 +49,15 @@ std::string rulesText(const GridOptions& options) {
   return text.str();
 }
 
-/// Figure 3.9, where the first set has training maps.
-void drawTrainingPicture(const ReportOptions& options, const GridComparison& comparison, std::ostream& report) {
-  GridComparison training;
-  training.agents = comparison.agents;
-  training.rules = comparison.rules;
+/// Where the first set has training maps.
+void drawTraining(const ReportOptions& options, const GridComparison& comparison, std::ostream& report) {
   ScenarioSelection selection = options.grid.selection;
   selection.maps = MapSelection::kTrain;
   constexpr std::size_t kCandidates = 15;
   selection.count = kCandidates;
   const GridSetFiles files = findGridSets(options.grid.folders.front()).front();
   if (selectMaps(files, MapSelection::kTrain).empty()) return;
-  training.sets = {drawGridTasks(files, selection)};
-  const GridTaskSet& set = training.sets.front();
-  const ReportPicture first = trainingPicture(training, 0, 0);
-  const std::vector<GridEpisode> episodes =
-      evaluateGridTasks(set, 0, set.tasks.size(), first.agents.front().make, options.grid.evaluation);
-  if (const auto task = typicalArrival(episodes)) {
-    drawPicture(training, trainingPicture(training, 0, *task), options.output, report);
-  }
+  drawTrainingPicture(drawGridTasks(files, selection), comparison, options.grid.evaluation, options.output, report);
 }
 
 }  // namespace
@@ -94,7 +84,7 @@ int runReport(const std::vector<std::string>& arguments) {
   report << reportTables(comparison);
   writeTextFile(options.output + "/tables.csv", reportCsv(comparison));
   writeTrends(comparison, options.output, report);
-  drawTrainingPicture(options, comparison, report);
+  drawTraining(options, comparison, report);
   for (const ReportPicture& picture : choosePictures(comparison)) {
     drawPicture(comparison, picture, options.output, report);
   }

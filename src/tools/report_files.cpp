@@ -107,6 +107,20 @@ void drawPicture(const GridComparison& comparison, const ReportPicture& picture,
   appendPicture(picture.caption, file, report);
 }
 
+void drawTrainingPicture(const GridTaskSet& set, const GridComparison& tests, const GridEvaluationOptions& options,
+                         const std::string& folder, std::ostream& report) {
+  GridComparison training;
+  training.agents = tests.agents;
+  training.rules = tests.rules;
+  training.sets = {set};
+  const ReportPicture first = trainingPicture(training, 0, 0);
+  const std::vector<GridEpisode> episodes =
+      evaluateGridTasks(set, 0, set.tasks.size(), first.agents.front().make, options);
+  if (const auto task = typicalArrival(episodes)) {
+    drawPicture(training, trainingPicture(training, 0, *task), folder, report);
+  }
+}
+
 std::vector<ReportAgent> agentsFromTexts(const std::vector<std::string>& texts, const GridAgentOptions& common) {
   std::vector<ReportAgent> agents;
   for (const std::string& text : texts) {

@@ -20,6 +20,11 @@ void writeTrends(const GridComparison& comparison, const std::string& folder, st
 void drawPicture(const GridComparison& comparison, const ReportPicture& picture, const std::string& folder,
                  std::ostream& report);
 
+/// Figure 3.9: a task of a set of training maps, of those that the first network solves the typical one; none where it
+/// solves none. `tests`: whose agents and rules are meant.
+void drawTrainingPicture(const GridTaskSet& set, const GridComparison& tests, const GridEvaluationOptions& options,
+                         const std::string& folder, std::ostream& report);
+
 /// Agents from texts like `astar`, `lstm` (the shipped model) or `lstm=FILE,no-shield,no-escape`; all else as in
 /// `common`. Names that would be alike are told apart by the model's file. Throws std::invalid_argument with a
 /// sentence.

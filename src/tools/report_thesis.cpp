@@ -5,6 +5,7 @@
 
 #include "lstm_planner/common/markdown_table.hpp"
 #include "lstm_planner/common/text_table.hpp"
+#include "lstm_planner/common/words.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_agent_factory.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_report.hpp"
 #include "lstm_planner/grid_world/evaluation/thesis_maps.hpp"
@@ -176,25 +177,9 @@ GridComparison compare(const ThesisOptions& options, const ThesisMaps& maps, con
   return comparison;
 }
 
-/// Figure 3.9.
-void drawTrainingTask(const ThesisOptions& options, const ThesisMaps& maps, const GridComparison& tests,
-                      std::ostream& report) {
-  GridComparison training;
-  training.agents = tests.agents;
-  training.rules = tests.rules;
-  training.sets = {drawGridTasks({"training", maps.training}, options.selection)};
-  const ReportPicture first = trainingPicture(training, 0, 0);
-  const std::vector<GridEpisode> episodes = evaluateGridTasks(training.sets[0], 0, training.sets[0].tasks.size(),
-                                                              first.agents.front().make, options.evaluation);
-  if (const auto task = typicalArrival(episodes)) {
-    drawPicture(training, trainingPicture(training, 0, *task), options.output, report);
-  }
-}
-
-std::string fileNames(const std::vector<std::string>& files) {
-  std::string text;
-  for (const std::string& file : files) text += (text.empty() ? "" : ", ") + file.substr(file.rfind('/') + 1);
-  return text;
+std::string fileNames(std::vector<std::string> files) {
+  for (std::string& file : files) file.erase(0, file.rfind('/') + 1);
+  return joined(files);
 }
 
 }  // namespace
@@ -225,7 +210,8 @@ int runThesisReport(const std::vector<std::string>& arguments) {
     if (!isFirstRank()) continue;
     std::ostringstream figures;
     writeTrends(comparison, options.output, figures);
-    drawTrainingTask(options, maps, comparison, figures);
+    drawTrainingPicture(drawGridTasks({"training", maps.training}, options.selection), comparison, options.evaluation,
+                        options.output, figures);
     for (const ReportPicture& picture : choosePictures(comparison)) {
       drawPicture(comparison, picture, options.output, figures);
     }
