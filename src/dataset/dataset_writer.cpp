@@ -1,18 +1,23 @@
 #include "lstm_planner/dataset/dataset_writer.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <deque>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "dataset/dataset_file.hpp"
-#include "dataset/dataset_lock.hpp"
 #include "dataset/dataset_rows.hpp"
 #include "dataset/dataset_trust.hpp"
 
@@ -48,6 +53,57 @@ struct FinishRecording {};
 
 /// A call that is to be written.
 using Entry = std::variant<StartEpisode, AddStep, EndEpisode, DiscardEpisode, FinishRecording>;
+
+/// Whether the path still leads to the open file: its last holder may have unlinked it in between.
+bool isStillThere(const std::string& path, int descriptor) {
+  struct stat by_path {};
+  struct stat by_descriptor {};
+  return ::stat(path.c_str(), &by_path) == 0 && ::fstat(descriptor, &by_descriptor) == 0 &&
+         by_path.st_ino == by_descriptor.st_ino && by_path.st_dev == by_descriptor.st_dev;
+}
+
+/// Keeps a second writer off a dataset file as long as it lives, by a lock on a file PATH.lock beside it. A lock on the
+/// file itself would not do: SQLite's own locks are of the kind that the process loses when it closes any descriptor of
+/// the file. A process that dies leaves an unlocked PATH.lock, which disturbs nobody.
+class DatasetLock {
+ public:
+  /// Throws DatasetError when another process, or another writer of this one, has it.
+  explicit DatasetLock(const std::string& path);
+  ~DatasetLock();
+  DatasetLock(const DatasetLock&) = delete;
+  DatasetLock& operator=(const DatasetLock&) = delete;
+
+ private:
+  std::string lock_path_;
+  int descriptor_ = -1;
+};
+
+DatasetLock::DatasetLock(const std::string& path) : lock_path_(path + ".lock") {
+  constexpr int kTries = 100;
+  for (int i = 0; i < kTries; ++i) {
+    descriptor_ = ::open(lock_path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) {
+      throw DatasetError("dataset '" + path + "' cannot be written: '" + lock_path_ + "': " + std::strerror(errno));
+    }
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) {
+      if (isStillThere(lock_path_, descriptor_)) return;
+    } else if (errno == EWOULDBLOCK) {
+      ::close(descriptor_);
+      throw DatasetError("dataset '" + path + "' is being recorded by another writer");
+    } else {
+      const int reason = errno;
+      ::close(descriptor_);
+      throw DatasetError("dataset '" + path + "' cannot be locked: '" + lock_path_ + "': " + std::strerror(reason));
+    }
+    ::close(descriptor_);
+  }
+  throw DatasetError("dataset '" + path + "' cannot be locked: '" + lock_path_ + "' comes and goes");
+}
+
+DatasetLock::~DatasetLock() {
+  ::unlink(lock_path_.c_str());
+  ::close(descriptor_);
+}
 
 /// What tells a file from another one that has taken its place.
 std::pair<dev_t, ino_t> identityOf(const std::string& path) {
