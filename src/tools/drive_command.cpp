@@ -11,7 +11,6 @@
 #include "tools/command.hpp"
 #include "tools/drive_options.hpp"
 #include "tools/drive_report.hpp"
-#include "tools/drive_states.hpp"
 #include "tools/drive_worlds.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
