@@ -10,11 +10,11 @@
 #include <cmath>
 #include <cstring>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "dataset/dataset_file.hpp"
@@ -33,26 +33,11 @@ constexpr std::size_t kMostEntries = 2 * kMostWaiting;
 constexpr long kLostEpisode = -1;    // its steps are lost, too
 constexpr std::size_t kBatch = 200;  // calls a transaction, so that a backlog goes out piece by piece
 
-struct StartEpisode {
-  long id = 0;
-  Episode episode;
-};
-struct AddStep {
-  long episode = 0;
-  DriveStep step;
-};
-struct EndEpisode {
-  long id = 0;
-  double stamp = 0.0;
-  EpisodeEnd end = EpisodeEnd::kRunning;
-};
-struct DiscardEpisode {
-  long id = 0;
-};
-struct FinishRecording {};
-
 /// A call that is to be written.
-using Entry = std::variant<StartEpisode, AddStep, EndEpisode, DiscardEpisode, FinishRecording>;
+struct Entry {
+  bool is_step = false;
+  std::function<void(DatasetRows*)> write;
+};
 
 /// Whether the path still leads to the open file: its last holder may have unlinked it in between.
 bool isStillThere(const std::string& path, int descriptor) {
@@ -134,7 +119,9 @@ class DatasetWriter::Implementation {
     has_episode_ = true;
     is_kept_ = waiting_.size() < kMostEntries;
     episodes_.push_back(is_kept_ ? next_episode_++ : kLostEpisode);
-    if (is_kept_) waiting_.push_back(StartEpisode{episodes_.back(), episode});
+    if (is_kept_) {
+      later([this, id = episodes_.back(), episode](DatasetRows* rows) { rows->addEpisode(id, recording_, episode); });
+    }
     write();
   }
 
@@ -150,7 +137,7 @@ class DatasetWriter::Implementation {
     if (!is_kept_ || waiting_steps_ >= kMostWaiting) {
       ++lost_;
     } else {
-      waiting_.push_back(AddStep{next_episode_ - 1, step});
+      waiting_.push_back({true, [id = next_episode_ - 1, step](DatasetRows* rows) { rows->addStep(id, step); }});
       ++waiting_steps_;
     }
     write();
@@ -160,7 +147,7 @@ class DatasetWriter::Implementation {
     checkRunning();
     if (!has_episode_) throw std::logic_error("an episode was ended before one was started");
     has_episode_ = false;
-    if (is_kept_) waiting_.push_back(EndEpisode{next_episode_ - 1, stamp, end});
+    if (is_kept_) later([id = next_episode_ - 1, stamp, end](DatasetRows* rows) { rows->endEpisode(id, stamp, end); });
     write();
   }
 
@@ -172,7 +159,8 @@ class DatasetWriter::Implementation {
   bool discardEpisode() {
     checkRunning();
     if (episodes_.empty()) return false;
-    if (episodes_.back() != kLostEpisode) waiting_.push_back(DiscardEpisode{episodes_.back()});
+    const long id = episodes_.back();
+    if (id != kLostEpisode) later([id](DatasetRows* rows) { rows->discardEpisode(id); });
     episodes_.pop_back();
     write();
     return true;
@@ -180,7 +168,7 @@ class DatasetWriter::Implementation {
 
   void finish() {
     if (finished_) return;
-    if (!finish_waits_) waiting_.push_back(FinishRecording{});
+    if (!finish_waits_) later([this](DatasetRows* rows) { rows->finishRecording(recording_); });
     finish_waits_ = true;
     patience_ = kPatienceToFinish;
     file_.reset();
@@ -224,6 +212,8 @@ class DatasetWriter::Implementation {
     rows_.emplace(&*file_);
   }
 
+  void later(std::function<void(DatasetRows*)> write) { waiting_.push_back({false, std::move(write)}); }
+
   /// Writes what is waiting, as far as it can be written.
   void write() {
     while (!waiting_.empty()) {
@@ -245,21 +235,13 @@ class DatasetWriter::Implementation {
   }
 
   void writeFirst(std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      std::visit([this](const auto& entry) { writeEntry(entry); }, waiting_[i]);
-    }
+    for (std::size_t i = 0; i < count; ++i) waiting_[i].write(&*rows_);
     if (has_new_rejections_) rows_->setRejections(recording_, rejections_);
   }
 
-  void writeEntry(const StartEpisode& entry) { rows_->addEpisode(entry.id, recording_, entry.episode); }
-  void writeEntry(const AddStep& entry) { rows_->addStep(entry.episode, entry.step); }
-  void writeEntry(const EndEpisode& entry) { rows_->endEpisode(entry.id, entry.stamp, entry.end); }
-  void writeEntry(const DiscardEpisode& entry) { rows_->discardEpisode(entry.id); }
-  void writeEntry(const FinishRecording&) { rows_->finishRecording(recording_); }
-
   void forgetFirst(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-      if (std::holds_alternative<AddStep>(waiting_.front())) {
+      if (waiting_.front().is_step) {
         ++stored_;
         --waiting_steps_;
       }
