@@ -27,6 +27,14 @@ using Poco::Data::Keywords::use;
 
 constexpr double kNoReturn = std::numeric_limits<double>::infinity();  // m
 
+/// Names of the columns of table steps, in the order in which a StepRow is bound and read.
+std::vector<std::string> stepColumns() {
+  std::vector<std::string> names = {"episode", "geometry", "number"};
+  DriveStep step;
+  visitColumns(step, [&](const std::string& name, const char*, auto&) { names.push_back(name); });
+  return names;
+}
+
 /// Calls work(column) for each column's member of the row, in the order of stepColumns().
 template <typename Work>
 void visitMembers(StepRow& row, Work&& work) {
@@ -61,13 +69,6 @@ std::vector<float> toRanges(const BLOB& blob, int beams) {
 }
 
 }  // namespace
-
-std::vector<std::string> stepColumns() {
-  std::vector<std::string> names = {"episode", "geometry", "number"};
-  DriveStep step;
-  visitColumns(step, [&](const std::string& name, const char*, auto&) { names.push_back(name); });
-  return names;
-}
 
 DatasetRows::DatasetRows(DatasetFile* file) : file_(file) {}
 

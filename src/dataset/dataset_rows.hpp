@@ -24,9 +24,6 @@ struct StepRow {
   std::array<Poco::Nullable<double>, kSectorCount> minimum_ranges;  ///< null where there is none
 };
 
-/// Names of the columns of table steps, in the order in which a StepRow is bound and read.
-std::vector<std::string> stepColumns();
-
 /// Writes the rows of a dataset, inside transactions of the caller. Numbers of recordings and episodes are the
 /// caller's.
 class DatasetRows {

@@ -44,6 +44,30 @@ void useAnglesAlone(std::vector<std::string>* layout) {
   }
 }
 
+/// By the names of the groups: events, events-alone, visits, trace, motion. Throws std::invalid_argument for another
+/// name.
+void addInputs(const std::vector<std::string>& groups, EncoderParameters* encoder) {
+  std::vector<std::string>& layout = encoder->input_layout;
+  const std::vector<std::string> known = groupsToAdd();
+  for (const std::string& group : groups) {
+    if (group == "events-alone") {
+      for (std::string& name : layout) {
+        if (name.rfind("sector_", 0) == 0) name.replace(0, 7, "event_");
+      }
+    } else if (group == "angles") {
+      useAnglesAlone(&layout);
+    } else {
+      if (std::find(known.begin(), known.end(), group) == known.end()) {
+        std::string expected = "events-alone";
+        for (const std::string& name : known) expected += ", " + name;
+        throw std::invalid_argument("--inputs names '" + group + "', expected some of " + expected);
+      }
+      for (const std::string& name : inputsOfGroup(group)) layout.push_back(name);
+    }
+  }
+  validate(*encoder);
+}
+
 }  // namespace
 
 void addWorldKinds(std::vector<WorldKind>* worlds, CommandLine* line) {
@@ -101,28 +125,6 @@ void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTra
   line->addSeed(&o.seed, "seed of all random numbers");
   line->add("threads", &o.threads, kAnyThreads, "number of threads; does not change the result").changesNoResult();
   line->whenParsed([options] { validate(options->course); });
-}
-
-void addInputs(const std::vector<std::string>& groups, EncoderParameters* encoder) {
-  std::vector<std::string>& layout = encoder->input_layout;
-  const std::vector<std::string> known = groupsToAdd();
-  for (const std::string& group : groups) {
-    if (group == "events-alone") {
-      for (std::string& name : layout) {
-        if (name.rfind("sector_", 0) == 0) name.replace(0, 7, "event_");
-      }
-    } else if (group == "angles") {
-      useAnglesAlone(&layout);
-    } else {
-      if (std::find(known.begin(), known.end(), group) == known.end()) {
-        std::string expected = "events-alone";
-        for (const std::string& name : known) expected += ", " + name;
-        throw std::invalid_argument("--inputs names '" + group + "', expected some of " + expected);
-      }
-      for (const std::string& name : inputsOfGroup(group)) layout.push_back(name);
-    }
-  }
-  validate(*encoder);
 }
 
 void writeRobotModel(const RobotTrainingOptions& options, const PolicyDescription& policy, const LayerStack& layers,

@@ -50,10 +50,6 @@ void finishRobotNetworkOptions(const RobotNetworkOptions& options, EncoderParame
 void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTrainingOptions* options,
                              CommandLine* line);
 
-/// Inputs beside the thesis's, by the names of the groups: events, events-alone, visits, trace, motion. Throws
-/// std::invalid_argument for another name.
-void addInputs(const std::vector<std::string>& groups, EncoderParameters* encoder);
-
 /// Writes the model with its description, the command and the score.
 void writeRobotModel(const RobotTrainingOptions& options, const PolicyDescription& policy, const LayerStack& layers,
                      const DriveScore& score);

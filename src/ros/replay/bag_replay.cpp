@@ -286,8 +286,7 @@ void BagReplay::showDecisionsUntil(const ros::Time& time) {
   }
 }
 
-}  // namespace
-
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
 BagReplayParameters loadBagReplayParameters(const ros::NodeHandle& private_node) {
   BagReplayParameters parameters;
   ParameterReader reader(private_node);
@@ -308,6 +307,7 @@ BagReplayParameters loadBagReplayParameters(const ros::NodeHandle& private_node)
   return parameters;
 }
 
+}  // namespace
 }  // namespace lstm_planner
 
 int main(int argc, char** argv) {

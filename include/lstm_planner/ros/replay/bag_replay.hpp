@@ -1,7 +1,5 @@
 #pragma once
 
-#include <ros/node_handle.h>
-
 #include <string>
 #include <type_traits>
 
@@ -40,8 +38,5 @@ void visitBagReplayParameters(Parameters& replay, const Visitor& visit) {
   visit("stay", replay.stay, {}, "", "waits for Ctrl-C at the end, so that rviz shows the last step");
   visit("decisions", replay.decisions, {}, "", "path of a CSV file for the decisions; empty: none");
 }
-
-/// Throws std::invalid_argument naming the parameter, its value and what was expected.
-BagReplayParameters loadBagReplayParameters(const ros::NodeHandle& private_node);
 
 }  // namespace lstm_planner
