@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "lstm_planner/common/random.hpp"
-#include "lstm_planner/simulation/world_generators.hpp"
+#include "lstm_planner/simulation/generated_world.hpp"
 #include "simulation/building.hpp"
 
 namespace lstm_planner {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "lstm_planner/common/random.hpp"
+#include "lstm_planner/simulation/generated_world.hpp"
 #include "lstm_planner/simulation/world.hpp"
-#include "lstm_planner/simulation/world_generators.hpp"
 #include "simulation/building.hpp"
 
 namespace lstm_planner {

@@ -6,7 +6,6 @@
 #include "lstm_planner/common/random.hpp"
 #include "lstm_planner/common/words.hpp"
 #include "lstm_planner/simulation/floor_plan.hpp"
-#include "lstm_planner/simulation/world_generators.hpp"
 
 namespace lstm_planner {
 namespace {

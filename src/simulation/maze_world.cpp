@@ -4,7 +4,7 @@
 
 #include "lstm_planner/common/random.hpp"
 #include "lstm_planner/grid/map_generators.hpp"
-#include "lstm_planner/simulation/world_generators.hpp"
+#include "lstm_planner/simulation/generated_world.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -9,7 +9,6 @@
 #include "lstm_planner/grid/map_server_map.hpp"
 #include "lstm_planner/simulation/barn.hpp"
 #include "lstm_planner/simulation/generated_world.hpp"
-#include "lstm_planner/simulation/world_generators.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -39,4 +39,66 @@ enum class WorldUse { kTraining, kValidation, kJudging };
 /// world whatever seeds are chosen.
 std::uint64_t worldSeed(WorldUse use, std::uint64_t seed, std::uint64_t number);
 
+// What they are made by, beside the floor plans of floor_plan.hpp; in metres. The same parameters and seed give the
+// same world on every machine, its lower left corner at (0, 0), closed by a wall unless said otherwise.
+
+/// A maze of corridors at right angles, perfect (one path only between any two places) or with loops.
+struct MazeWorldParameters {
+  int columns = 8;  ///< corridors side by side
+  int rows = 8;
+  double corridor_width = 1.2;   ///< m
+  double wall_thickness = 0.15;  ///< m
+  double branching = 0.1;        ///< as MazeParameters::branching
+  double loops = 0.0;            ///< probability that a wall between two corridors has been taken out
+  double resolution = 0.05;      ///< m a cell
+};
+OccupancyGrid generateMazeWorld(const MazeWorldParameters& parameters, std::uint64_t seed);
+
+/// Rooms of one size in rows and columns, with doors at random places of the walls between them; all are connected.
+struct RoomsWorldParameters {
+  int columns = 4;  ///< rooms side by side
+  int rows = 3;
+  double room_size = 4.0;    ///< m
+  double door_width = 1.0;   ///< m
+  double extra_doors = 0.3;  ///< probability of a door in a wall that needs none to connect all rooms
+  double resolution = 0.1;   ///< m a cell, and the thickness of the walls
+};
+OccupancyGrid generateRoomsWorld(const RoomsWorldParameters& parameters, std::uint64_t seed);
+
+/// Corridors of different widths dug through solid ground, each starting in an earlier one and at right angles to it:
+/// with bends, crossings, loops and many dead ends. Fewer than asked for where there is no room for more, but they
+/// reach 5.5 m along one side unless the parameters leave no room for that.
+struct CorridorWorldParameters {
+  double width = 18.0;   ///< m
+  double height = 14.0;  ///< m
+  int corridors = 12;
+  double narrowest = 0.8;    ///< m
+  double widest = 1.8;       ///< m
+  double resolution = 0.05;  ///< m a cell
+};
+OccupancyGrid generateCorridorWorld(const CorridorWorldParameters& parameters, std::uint64_t seed);
+
+/// A walled field of round poles. For a disc of `passage` there is a path from the left end of the field to the right
+/// one: poles that close it are felled.
+struct ForestParameters {
+  double width = 12.0;            ///< m
+  double height = 10.0;           ///< m
+  double density = 0.05;          ///< share of the floor under poles, before any are felled
+  double smallest_radius = 0.05;  ///< m
+  double largest_radius = 0.2;    ///< m
+  double gap = 0.0;               ///< m between two poles at the least; 0 = they may touch and overlap
+  double passage = 0.25;          ///< m, radius of the disc that gets through: the footprint and a clearance
+  double resolution = 0.05;       ///< m a cell
+};
+OccupancyGrid generateForest(const ForestParameters& parameters, std::uint64_t seed);
+
+/// Nothing anywhere, not even a wall around it: a scanner sees nothing at all. The size is that of the part in which
+/// goals lie.
+struct OpenFieldParameters {
+  double width = 30.0;      ///< m
+  double height = 30.0;     ///< m
+  double resolution = 0.1;  ///< m a cell
+};
+OccupancyGrid generateOpenField(const OpenFieldParameters& parameters);
+
 }  // namespace lstm_planner

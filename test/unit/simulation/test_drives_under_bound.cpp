@@ -7,7 +7,6 @@
 #include "lstm_planner/common/random.hpp"
 #include "lstm_planner/simulation/drive.hpp"
 #include "lstm_planner/simulation/generated_world.hpp"
-#include "lstm_planner/simulation/world_generators.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 
 namespace lstm_planner::test_drives_under_bound {

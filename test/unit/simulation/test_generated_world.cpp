@@ -7,7 +7,6 @@
 
 #include "lstm_planner/simulation/drive.hpp"
 #include "lstm_planner/simulation/generated_world.hpp"
-#include "lstm_planner/simulation/world_generators.hpp"
 
 namespace lstm_planner::test_generated_world {
 namespace {

@@ -8,7 +8,6 @@
 #include "lstm_planner/grid/surface_points.hpp"
 #include "lstm_planner/simulation/drive.hpp"
 #include "lstm_planner/simulation/generated_world.hpp"
-#include "lstm_planner/simulation/world_generators.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 
 namespace lstm_planner::test_route_drives {

@@ -6,7 +6,7 @@
 
 #include "lstm_planner/drive/motion/elastic_band.hpp"
 #include "lstm_planner/drive/motion/rollout.hpp"
-#include "lstm_planner/simulation/world_generators.hpp"
+#include "lstm_planner/simulation/generated_world.hpp"
 #include "support/agent_steps.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 #include "unit/drive/local_map/memory_fixtures.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lstm_planner/drive/motion/rollout.hpp"
-#include "lstm_planner/simulation/world_generators.hpp"
+#include "lstm_planner/simulation/generated_world.hpp"
 #include "support/agent_steps.hpp"
 #include "support/case_name.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
