@@ -10,11 +10,10 @@
 #include "lstm_planner/training/learning_curve.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
-#include "tools/network_options.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_grid_course.hpp"
 #include "tools/train_grid_options.hpp"
-#include "tools/training_host.hpp"
+#include "tools/training.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -16,7 +16,7 @@
 #include "tools/ranks.hpp"
 #include "tools/train_grid_course.hpp"
 #include "tools/train_grid_options.hpp"
-#include "tools/training_host.hpp"
+#include "tools/training.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -11,7 +11,7 @@
 #include "tools/ranks.hpp"
 #include "tools/recorded_datasets.hpp"
 #include "tools/train_robot_options.hpp"
-#include "tools/training_host.hpp"
+#include "tools/training.hpp"
 
 namespace lstm_planner {
 namespace {

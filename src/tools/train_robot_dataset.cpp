@@ -27,11 +27,10 @@
 #include "lstm_planner/training/training_stability.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
-#include "tools/network_options.hpp"
 #include "tools/ranks.hpp"
 #include "tools/recorded_datasets.hpp"
 #include "tools/train_robot_options.hpp"
-#include "tools/training_host.hpp"
+#include "tools/training.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -5,10 +5,9 @@
 #include "lstm_planner/practice/imitation.hpp"
 #include "lstm_planner/training/learning_curve.hpp"
 #include "tools/command.hpp"
-#include "tools/network_options.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_robot_options.hpp"
-#include "tools/training_host.hpp"
+#include "tools/training.hpp"
 
 namespace lstm_planner {
 

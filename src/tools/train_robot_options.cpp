@@ -6,8 +6,8 @@
 #include "lstm_planner/common/text_table.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
-#include "tools/network_options.hpp"
 #include "tools/ranks.hpp"
+#include "tools/training.hpp"
 
 namespace lstm_planner {
 

@@ -1,9 +1,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "lstm_planner/training/gradient.hpp"
 #include "lstm_planner/training/imitation_rounds.hpp"
+#include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/training_loop.hpp"
+#include "tools/command_line.hpp"
 #include "tools/progress.hpp"
 
 namespace lstm_planner {
@@ -42,5 +46,12 @@ std::string positionOf(const ImitationRounds& rounds);
 
 /// A score with three digits after its name.
 std::string namedScore(const std::string& name, double score);
+
+// Options of each way of training. `shape` and `loss` must stay where they are until the line is parsed.
+
+/// Layers, and the thesis's alternatives inside a layer. `mlp_units`: of each layer of a perceptron, where nothing else
+/// is said.
+void addShapeOptions(NetworkShape* shape, const std::vector<int>& mlp_units, CommandLine* line);
+void addLossOption(Loss* loss, CommandLine* line);
 
 }  // namespace lstm_planner

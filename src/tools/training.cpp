@@ -1,11 +1,12 @@
-#include "tools/network_options.hpp"
+#include "tools/training.hpp"
 
+#include <iostream>
 #include <string>
 
+#include "lstm_planner/common/text_table.hpp"
 #include "tools/command_line.hpp"
 
 namespace lstm_planner {
-
 namespace {
 
 const Choices<NetworkShape::Kind> kKinds = {
@@ -16,6 +17,28 @@ const Choices<Activation> kCandidates = {{"tanh", Activation::kTanh}, {"sigmoid"
 const Choices<Loss> kLosses = {{"cross-entropy", Loss::kCrossEntropy}, {"euclidean", Loss::kEuclidean}};
 
 }  // namespace
+
+void ToolTrainingHost::started(bool resumed) {
+  if (resumed) std::cout << "going on from " << options_.checkpoint << " after " << position() << std::endl;
+  printHeader();
+}
+
+int ToolTrainingHost::end(const TrainingOutcome& outcome) const {
+  if (outcome.best) {
+    std::cout << "wrote " << options_.output << ": " << scoreText(*outcome.best) << std::endl;
+  }
+  if (!outcome.stopped) return 0;
+  std::cout << "interrupted; "
+            << (options_.checkpoint.empty() ? "without --checkpoint the training cannot be continued" : resumption())
+            << std::endl;
+  return interruption_.exitStatus();
+}
+
+std::string positionOf(const ImitationRounds& rounds) {
+  return std::to_string(rounds.round() - 1) + " rounds and " + std::to_string(rounds.epochsOfRound()) + " epochs";
+}
+
+std::string namedScore(const std::string& name, double score) { return name + ' ' + fixedText(score, 3); }
 
 void addShapeOptions(NetworkShape* shape, const std::vector<int>& mlp_units, CommandLine* line) {
   std::string units;
