@@ -14,9 +14,8 @@
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/output_file.hpp"
-#include "tools/recorded_datasets.hpp"
 #include "tools/shared_file.hpp"
-#include "tools/train_robot_options.hpp"
+#include "tools/train_robot.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -11,8 +11,7 @@
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/ranks.hpp"
-#include "tools/train_grid_course.hpp"
-#include "tools/train_grid_options.hpp"
+#include "tools/train_grid.hpp"
 #include "tools/training.hpp"
 
 namespace lstm_planner {

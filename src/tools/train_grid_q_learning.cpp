@@ -14,8 +14,7 @@
 #include "tools/command_line.hpp"
 #include "tools/output_file.hpp"
 #include "tools/ranks.hpp"
-#include "tools/train_grid_course.hpp"
-#include "tools/train_grid_options.hpp"
+#include "tools/train_grid.hpp"
 #include "tools/training.hpp"
 
 namespace lstm_planner {

@@ -9,7 +9,7 @@
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
 #include "tools/ranks.hpp"
-#include "tools/train_grid_course.hpp"
+#include "tools/train_grid.hpp"
 
 namespace lstm_planner {
 

@@ -9,8 +9,7 @@
 #include "lstm_planner/practice/recorded_choices.hpp"
 #include "tools/command.hpp"
 #include "tools/ranks.hpp"
-#include "tools/recorded_datasets.hpp"
-#include "tools/train_robot_options.hpp"
+#include "tools/train_robot.hpp"
 #include "tools/training.hpp"
 
 namespace lstm_planner {

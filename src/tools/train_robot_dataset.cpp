@@ -28,8 +28,7 @@
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/ranks.hpp"
-#include "tools/recorded_datasets.hpp"
-#include "tools/train_robot_options.hpp"
+#include "tools/train_robot.hpp"
 #include "tools/training.hpp"
 
 namespace lstm_planner {

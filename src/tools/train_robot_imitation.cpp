@@ -6,7 +6,7 @@
 #include "lstm_planner/training/learning_curve.hpp"
 #include "tools/command.hpp"
 #include "tools/ranks.hpp"
-#include "tools/train_robot_options.hpp"
+#include "tools/train_robot.hpp"
 #include "tools/training.hpp"
 
 namespace lstm_planner {

@@ -1,16 +1,19 @@
-#include "tools/train_robot_options.hpp"
+#include "tools/train_robot.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
+#include <utility>
 
 #include "lstm_planner/common/text_table.hpp"
+#include "lstm_planner/practice/dataset_sequences.hpp"
+#include "lstm_planner/training/confusion.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/ranks.hpp"
 #include "tools/training.hpp"
 
 namespace lstm_planner {
-
 namespace {
 
 /// A view may look away from where the robot went, and from where the scanner looks.
@@ -141,5 +144,27 @@ void writeRobotModel(const RobotTrainingOptions& options, const PolicyDescriptio
 std::string toText(const DriveScore& score) {
   return "arrival " + fixedText(score.arrival, 3) + ", efficiency " + fixedText(score.efficiency, 3);
 }
+
+Dataset readDatasets(const std::vector<std::string>& paths, bool with_scans) {
+  Dataset all;
+  for (const std::string& path : paths) {
+    Dataset dataset = readDataset(path, with_scans);
+    std::move(dataset.recordings.begin(), dataset.recordings.end(), std::back_inserter(all.recordings));
+  }
+  return all;
+}
+
+Dataset readDatasetsFor(const PolicyDescription& policy, const std::vector<std::string>& paths) {
+  Dataset dataset = readDatasets(paths, false);
+  return needsScans(dataset, policy) ? readDatasets(paths, true) : dataset;
+}
+
+std::string percentText(double share) { return fixedText(100.0 * share, 1) + " %"; }
+
+std::string accuracyText(const ConfusionMatrix& confusion) {
+  return "accuracy " + percentText(accuracyOf(confusion)) + ", balanced " + percentText(balancedAccuracy(confusion));
+}
+
+std::string majorityText(const ConfusionMatrix& confusion) { return accuracyText(constantAnswer(confusion)); }
 
 }  // namespace lstm_planner

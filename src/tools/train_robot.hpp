@@ -4,10 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "lstm_planner/dataset/dataset.hpp"
 #include "lstm_planner/drive/decision/drive_policy.hpp"
 #include "lstm_planner/network/model_file.hpp"
 #include "lstm_planner/practice/drive_course.hpp"
 #include "lstm_planner/practice/drive_judge.hpp"
+#include "lstm_planner/training/gradient.hpp"
 #include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/training_loop.hpp"
 #include "tools/command_line.hpp"
@@ -56,5 +58,20 @@ void writeRobotModel(const RobotTrainingOptions& options, const PolicyDescriptio
 
 /// "arrival 0.950, efficiency 0.800"
 std::string toText(const DriveScore& score);
+
+/// Several files as one.
+Dataset readDatasets(const std::vector<std::string>& paths, bool with_scans);
+
+/// The same, with scans only where the policy needs them.
+Dataset readDatasetsFor(const PolicyDescription& policy, const std::vector<std::string>& paths);
+
+/// "12.3 %".
+std::string percentText(double share);
+
+/// "accuracy 88.3 %, balanced 55.3 %", of a row a label.
+std::string accuracyText(const ConfusionMatrix& confusion);
+
+/// The same of the majority-class baseline.
+std::string majorityText(const ConfusionMatrix& confusion);
 
 }  // namespace lstm_planner
