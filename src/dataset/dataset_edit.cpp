@@ -1,7 +1,6 @@
 #include "lstm_planner/dataset/dataset_edit.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <map>
 #include <sstream>

@@ -6,8 +6,6 @@
 
 #include <array>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "dataset/dataset_file.hpp"
 #include "lstm_planner/dataset/drive_step.hpp"

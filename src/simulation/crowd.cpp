@@ -1,7 +1,6 @@
 #include "lstm_planner/simulation/crowd.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 

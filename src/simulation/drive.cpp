@@ -1,7 +1,6 @@
 #include "lstm_planner/simulation/drive.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 

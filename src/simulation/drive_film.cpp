@@ -1,7 +1,5 @@
 #include "lstm_planner/simulation/drive_film.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>

@@ -1,7 +1,6 @@
 #include "lstm_planner/simulation/trace_picture.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <opencv2/imgproc.hpp>
 #include <sstream>

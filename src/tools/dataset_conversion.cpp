@@ -1,7 +1,6 @@
 #include "tools/dataset_conversion.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <iostream>
 #include <map>

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 
 #include "lstm_planner/common/csv_writer.hpp"
 #include "lstm_planner/common/words.hpp"

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <iostream>
-#include <optional>
 #include <sstream>
-#include <stdexcept>
 
 #include "lstm_planner/grid_world/evaluation/grid_report.hpp"
 #include "tools/command.hpp"

@@ -1,7 +1,5 @@
-#include <iomanip>
 #include <iostream>
 #include <sstream>
-#include <utility>
 
 #include "lstm_planner/grid_world/learning/grid_structure_search.hpp"
 #include "tools/command.hpp"

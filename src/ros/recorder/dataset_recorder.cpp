@@ -10,7 +10,6 @@
 #include <deque>
 #include <functional>
 #include <iostream>
-#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
