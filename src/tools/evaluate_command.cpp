@@ -75,12 +75,6 @@ void printLeftOut(const GridTaskSet& set, std::size_t scenarios, const std::stri
   std::cout << "left out of " << set.name << ": " << scenarios << " scenarios " << why << '\n';
 }
 
-void draw(const std::string& folder, const std::string& what, const GridTaskSet& set, std::size_t task,
-          const std::vector<NamedGridAgent>& agents, const GridEpisodeRules& rules) {
-  const std::string path = folder + "/" + set.name + "_" + what + "_" + std::to_string(task) + ".png";
-  writeGridPicture(path, set.maps[set.tasks[task].map], pictureOfTask(set, task, agents, rules));
-}
-
 void drawSome(const EvaluateOptions& options, const GridTaskSet& set, const std::vector<GridEpisode>& episodes,
               const GridAgentMaker& make_agent) {
   std::vector<NamedGridAgent> agents = {{options.grid.agent.agent, make_agent}};
@@ -91,7 +85,9 @@ void drawSome(const EvaluateOptions& options, const GridTaskSet& set, const std:
     agents.push_back({"A*", gridAgentMaker(optimal)});
   }
   const auto drawTask = [&](const char* what, std::size_t task) {
-    draw(options.pictures, what, set, task, agents, options.grid.evaluation.rules);
+    const std::string path = options.pictures + "/" + set.name + "_" + what + "_" + std::to_string(task) + ".png";
+    writeGridPicture(path, set.maps[set.tasks[task].map],
+                     pictureOfTask(set, task, agents, options.grid.evaluation.rules));
   };
   using End = GridEpisode::End;
   constexpr std::size_t kMisses = 3;

@@ -1,3 +1,4 @@
+#include <array>
 #include <iostream>
 #include <optional>
 #include <sstream>
@@ -56,17 +57,8 @@ void checkModel(const std::string& file, const Model& model) {
 }
 
 const char* toString(Activation activation) {
-  switch (activation) {
-    case Activation::kTanh:
-      return ", tanh";
-    case Activation::kSigmoid:
-      return ", sigmoid";
-    case Activation::kRelu:
-      return ", relu";
-    case Activation::kIdentity:
-      break;
-  }
-  return "";
+  constexpr std::array<const char*, 4> kNames = {"", ", tanh", ", sigmoid", ", relu"};
+  return kNames.at(static_cast<std::size_t>(activation));
 }
 
 /// "LSTM 14 -> 32".
