@@ -33,6 +33,8 @@ namespace {
 constexpr int kScanQueue = 200;
 constexpr int kOdometryQueue = 1000;
 constexpr int kGoalQueue = 20;
+// Without this, TCP holds a scan back until the one before is acknowledged: up to 40 ms.
+const ros::TransportHints kHints = ros::TransportHints().tcpNoDelay();
 const ros::WallDuration kStatusPeriod(1.0);
 constexpr double kLongestDelay = 0.5;  // s that odometry is behind the clock, at the most
 
@@ -102,10 +104,9 @@ class DatasetRecorder {
 
   void onScan(const sensor_msgs::LaserScan::ConstPtr& scan);
   void onOdometry(const nav_msgs::Odometry::ConstPtr& odometry);
-  void onActionGoal(const move_base_msgs::MoveBaseActionGoal::ConstPtr& goal);
-  void onSimpleGoal(const geometry_msgs::PoseStamped::ConstPtr& goal);
-  void onCancel(const actionlib_msgs::GoalID::ConstPtr& cancel);
-  void onResult(const move_base_msgs::MoveBaseActionResult::ConstPtr& result);
+  /// To what is said of goals; `hear` is called with a message and guarded.
+  template <typename Message, typename Hear>
+  ros::Subscriber subscribeToGoals(const std::string& topic, const Hear& hear);
   void openFile(const std::string& odometry_frame);
   ros::Time goalHeardNow();
   void afterSensing();
@@ -161,14 +162,18 @@ DatasetRecorder::DatasetRecorder(const RecorderNodeParameters& parameters)
   goal_publisher_ = private_node_.advertise<geometry_msgs::PoseStamped>("goal", 10, true);
   diagnostics_publisher_ = node_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
 
-  // Without this, TCP holds a scan back until the one before is acknowledged: up to 40 ms.
-  const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
-  subscribers_ = {node_.subscribe(parameters.scan_topic, kScanQueue, &DatasetRecorder::onScan, this, hints),
-                  node_.subscribe(parameters.odom_topic, kOdometryQueue, &DatasetRecorder::onOdometry, this, hints),
-                  node_.subscribe("move_base/goal", kGoalQueue, &DatasetRecorder::onActionGoal, this, hints),
-                  node_.subscribe("move_base_simple/goal", kGoalQueue, &DatasetRecorder::onSimpleGoal, this, hints),
-                  node_.subscribe("move_base/cancel", kGoalQueue, &DatasetRecorder::onCancel, this, hints),
-                  node_.subscribe("move_base/result", kGoalQueue, &DatasetRecorder::onResult, this, hints)};
+  subscribers_ = {
+      node_.subscribe(parameters.scan_topic, kScanQueue, &DatasetRecorder::onScan, this, kHints),
+      node_.subscribe(parameters.odom_topic, kOdometryQueue, &DatasetRecorder::onOdometry, this, kHints),
+      subscribeToGoals<move_base_msgs::MoveBaseActionGoal>(
+          "move_base/goal", [this](const auto& goal) { messages_.hear(goal, "move_base/goal", goalHeardNow()); }),
+      subscribeToGoals<geometry_msgs::PoseStamped>(
+          "move_base_simple/goal",
+          [this](const auto& goal) { messages_.hearGoal(goal, "move_base_simple/goal", goalHeardNow()); }),
+      subscribeToGoals<actionlib_msgs::GoalID>(
+          "move_base/cancel", [this](const auto& cancel) { messages_.hear(cancel, ros::Time::now()); }),
+      subscribeToGoals<move_base_msgs::MoveBaseActionResult>(
+          "move_base/result", [this](const auto& result) { messages_.hear(result, ros::Time::now()); })};
   services_ = {private_node_.advertiseService("pause", &DatasetRecorder::pause, this),
                private_node_.advertiseService("discard_episode", &DatasetRecorder::discardEpisode, this),
                private_node_.advertiseService("finish", &DatasetRecorder::finishByService, this)};
@@ -225,32 +230,15 @@ void DatasetRecorder::openFile(const std::string& odometry_frame) {
   }
 }
 
-void DatasetRecorder::onActionGoal(const move_base_msgs::MoveBaseActionGoal::ConstPtr& goal) {
-  guarded([&] {
-    ++goals_heard_;
-    messages_.hear(*goal, "move_base/goal", goalHeardNow());
-  });
-}
-
-void DatasetRecorder::onSimpleGoal(const geometry_msgs::PoseStamped::ConstPtr& goal) {
-  guarded([&] {
-    ++goals_heard_;
-    messages_.hearGoal(*goal, "move_base_simple/goal", goalHeardNow());
-  });
-}
-
-void DatasetRecorder::onCancel(const actionlib_msgs::GoalID::ConstPtr& cancel) {
-  guarded([&] {
-    ++goals_heard_;
-    messages_.hear(*cancel, ros::Time::now());
-  });
-}
-
-void DatasetRecorder::onResult(const move_base_msgs::MoveBaseActionResult::ConstPtr& result) {
-  guarded([&] {
-    ++goals_heard_;
-    messages_.hear(*result, ros::Time::now());
-  });
+template <typename Message, typename Hear>
+ros::Subscriber DatasetRecorder::subscribeToGoals(const std::string& topic, const Hear& hear) {
+  const boost::function<void(const boost::shared_ptr<const Message>&)> work = [this, hear](const auto& message) {
+    guarded([&] {
+      ++goals_heard_;
+      hear(*message);
+    });
+  };
+  return node_.subscribe<Message>(topic, kGoalQueue, work, ros::VoidConstPtr(), kHints);
 }
 
 ros::Time DatasetRecorder::goalHeardNow() {
