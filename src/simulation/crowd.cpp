@@ -4,8 +4,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "lstm_planner/common/parameter_visitors.hpp"
-
 namespace lstm_planner {
 namespace {
 
@@ -15,20 +13,9 @@ constexpr int kWalkerTries = 2000;
 
 }  // namespace
 
-void validate(const CrowdParameters& parameters) {
-  visitCrowdParameters(parameters, RangeCheck());
-  const CrowdParameters& p = parameters;
-  checkParameter(p.largest_radius >= p.smallest_radius, "largest_radius", p.largest_radius,
-                 "at least smallest_radius = " + std::to_string(p.smallest_radius));
-  checkParameter(p.fastest >= p.slowest, "fastest", p.fastest, "at least slowest = " + std::to_string(p.slowest));
-  checkParameter(p.longest_stand >= p.shortest_stand, "longest_stand", p.longest_stand,
-                 "at least shortest_stand = " + std::to_string(p.shortest_stand));
-}
-
 Crowd::Crowd(const World& surroundings, const std::vector<Point2>& places, const CrowdParameters& parameters,
              const Point2& robot, std::uint64_t seed)
     : Traffic(surroundings), places_(places), parameters_(parameters), random_(seed) {
-  validate(parameters_);
   for (int i = 0; i < parameters_.walkers; ++i) {
     Walker walker;
     walker.body.radius = uniform(random_, parameters_.smallest_radius, parameters_.largest_radius);

@@ -23,7 +23,7 @@ void addWorldOptions(DriveOptions* options, CommandLine* line) {
   line->add("worlds", &options->kind,
             "generated worlds: mazes, offices, corridors, forest, open, rooms or furnished; or dynabarn: "
             "cylinders that move");
-  visitCrowdParameters(options->crowd, line->parameters({{"walkers", "walkers"}}));
+  line->add("walkers", &options->crowd.walkers, {0, 1000}, "people who walk about");
   line->add(
       "goals", &options->goals, kAnyCount,
       "number of drives in each map or in the room (100), or number of worlds with one drive each (100; all of BARN)");
@@ -105,7 +105,6 @@ void check(const DriveOptions& options) {
     throw std::invalid_argument("one of --map, --barn, --worlds and --walkers is needed");
   }
   if (!options.kind.empty() && options.kind != kDynaBarn) worldKindOf(options.kind);
-  validate(options.crowd);
   validate(options.drive.robot.base);
   validate(options.drive.robot.scanner);
   validate(options.drive.motion);

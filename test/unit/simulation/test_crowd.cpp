@@ -107,13 +107,7 @@ TEST_F(CrowdTest, IsTheSameForTheSameSeed) {
   EXPECT_NE(a.walkers()[4].body.center.x, crowd(10).walkers()[4].body.center.x);
 }
 
-TEST_F(CrowdTest, RefusesImpossibleParametersAndWorldsWithoutPlace) {
-  CrowdParameters parameters;
-  parameters.largest_radius = 0.1;
-  EXPECT_THROW(validate(parameters), std::invalid_argument);
-  parameters = {};
-  parameters.walkers = -1;
-  EXPECT_THROW(validate(parameters), std::invalid_argument);
+TEST_F(CrowdTest, RefusesWorldsWithoutPlace) {
   EXPECT_THROW(Crowd(hall, {}, {}, {5.0, 5.0}, 1), std::invalid_argument);
   const std::vector<Point2> only_the_robots_place{{5.0, 5.0}};
   EXPECT_THROW(Crowd(hall, only_the_robots_place, {}, {5.0, 5.0}, 1), std::invalid_argument);

@@ -13,7 +13,6 @@
 #include "lstm_planner/drive/local_map/local_map.hpp"
 #include "lstm_planner/drive/motion/motion_controller.hpp"
 #include "lstm_planner/simulation/create2.hpp"
-#include "lstm_planner/simulation/crowd.hpp"
 #include "lstm_planner/simulation/hokuyo.hpp"
 #include "lstm_planner/simulation/scripted_driver.hpp"
 #include "support/refusal.hpp"
@@ -86,7 +85,6 @@ TEST(ParameterRanges, HoldForTheSimulatedRobotScannerDriverAndPeople) {
   expectRanges<Create2Parameters>([](auto& p, const auto& visit) { visitCreate2Parameters(p, visit); });
   expectRanges<HokuyoParameters>([](auto& p, const auto& visit) { visitHokuyoParameters(p, visit); });
   expectRanges<ScriptedDriverParameters>([](auto& p, const auto& visit) { visitDriverParameters(p, visit); });
-  expectRanges<CrowdParameters>([](auto& p, const auto& visit) { visitCrowdParameters(p, visit); });
 }
 
 TEST(ParameterRanges, BoundWhatAnUpdateOfTheMemoryCosts) {
