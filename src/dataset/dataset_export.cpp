@@ -87,12 +87,10 @@ class ColumnCollector {
     visitQuantities(step, [this](const std::string& name, const char*, const auto& quantity) {
       Column& column = columnNamed(name);
       std::size_t length = 0;
-      const auto push_number = [&](const std::string&, const char*, const auto& number) {
+      visitNumbers(name, "", quantity, [&](const std::string&, const char*, const auto& number) {
         push(column, number);
         ++length;
-      };
-      const ColumnVisitor<decltype(push_number)> visit_numbers(&push_number);
-      visit_numbers(name, "", quantity);
+      });
       column.row_length = std::is_arithmetic_v<std::decay_t<decltype(quantity)>> ? 0 : length;
     });
   }

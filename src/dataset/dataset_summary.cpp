@@ -37,11 +37,9 @@ class RangeCollector {
 
   template <typename Quantity>
   void visit(const std::string& name, const char* unit, const Quantity& quantity) {
-    const auto add_number = [this](const std::string& column, const char* its_unit, const auto& number) {
+    visitNumbers(name, unit, quantity, [this](const std::string& column, const char* its_unit, const auto& number) {
       lstm_planner::add(static_cast<double>(number), &rangeOf(column, its_unit));
-    };
-    const ColumnVisitor<decltype(add_number)> visit_numbers(&add_number);
-    visit_numbers(name, unit, quantity);
+    });
   }
 
   QuantityRange& rangeOf(const std::string& name, const char* unit) {

@@ -34,42 +34,28 @@ void visitQuantities(Step& step, Visit&& visit) {
 }
 
 /// Calls visit(column, unit, number) for each number of a quantity: the columns of table steps and of CSV files.
-template <typename Visit>
-class ColumnVisitor {
- public:
-  explicit ColumnVisitor(Visit* visit) : visit_(*visit) {}
-
-  template <typename Number>
-  void operator()(const std::string& name, const char* unit, Number& number) const {
-    if constexpr (std::is_arithmetic_v<Number>) {
-      visit_(name, unit, number);
-    } else {
-      split(name, unit, number);
-    }
+template <typename Quantity, typename Visit>
+void visitNumbers(const std::string& name, const char* unit, Quantity& quantity, Visit&& visit) {
+  using Plain = std::remove_const_t<Quantity>;
+  if constexpr (std::is_arithmetic_v<Plain>) {
+    visit(name, unit, quantity);
+  } else if constexpr (std::is_same_v<Plain, Twist2>) {
+    visit(name + "_linear", "m/s", quantity.linear);
+    visit(name + "_angular", "rad/s", quantity.angular);
+  } else if constexpr (std::is_same_v<Plain, Point2> || std::is_same_v<Plain, Pose2>) {
+    visit(name + "_x", unit, quantity.x);
+    visit(name + "_y", unit, quantity.y);
+    if constexpr (std::is_same_v<Plain, Pose2>) visit(name + "_yaw", "rad", quantity.yaw);
+  } else {
+    for (std::size_t i = 0; i < quantity.size(); ++i) visit(name + "_" + std::to_string(i), unit, quantity[i]);
   }
-
- private:
-  template <typename Quantity>
-  void split(const std::string& name, [[maybe_unused]] const char* unit, Quantity& quantity) const {
-    using Plain = std::remove_const_t<Quantity>;
-    if constexpr (std::is_same_v<Plain, Twist2>) {
-      visit_(name + "_linear", "m/s", quantity.linear);
-      visit_(name + "_angular", "rad/s", quantity.angular);
-    } else if constexpr (std::is_same_v<Plain, Point2> || std::is_same_v<Plain, Pose2>) {
-      visit_(name + "_x", unit, quantity.x);
-      visit_(name + "_y", unit, quantity.y);
-      if constexpr (std::is_same_v<Plain, Pose2>) visit_(name + "_yaw", "rad", quantity.yaw);
-    } else {
-      for (std::size_t i = 0; i < quantity.size(); ++i) visit_(name + "_" + std::to_string(i), unit, quantity[i]);
-    }
-  }
-
-  Visit& visit_;
-};
+}
 
 template <typename Step, typename Visit>
 void visitColumns(Step& step, Visit&& visit) {
-  visitQuantities(step, ColumnVisitor<std::remove_reference_t<Visit>>(&visit));
+  visitQuantities(step, [&](const std::string& name, const char* unit, auto& quantity) {
+    visitNumbers(name, unit, quantity, visit);
+  });
 }
 
 }  // namespace lstm_planner
