@@ -166,7 +166,7 @@ void DriveRecorder::sample(const ScanHeard& scan) {
   } else if (!in_episode_) {
     startEpisode();
     startStep(scan);
-  } else if (hasMovedSinceStep()) {
+  } else if (isStep(step_->pose, situation_->pose, parameters_)) {
     labelStep();
     startStep(scan);
   } else {
@@ -185,13 +185,6 @@ std::string DriveRecorder::see(const ScanHeard& scan) {
   situation_->time = scan.stamp;
   situation_->pose = history_.poseAt(scan.stamp);
   return "";
-}
-
-bool DriveRecorder::hasMovedSinceStep() const {
-  if (!step_) return true;
-  const double turned = std::abs(normalizeAngle(situation_->pose.yaw - step_->pose.yaw));
-  return distanceBetween(step_->pose, situation_->pose) >= parameters_.min_step_distance ||
-         (parameters_.min_step_turn > 0.0 && turned >= parameters_.min_step_turn);
 }
 
 bool DriveRecorder::isAt(const Point2& goal, const Pose2& pose) const {

@@ -64,11 +64,7 @@ class GoalFinder {
  private:
   double pathBetween(std::size_t from, std::size_t to) const { return driven_[to] - driven_[from]; }
 
-  bool hasMoved(std::size_t from, std::size_t to) const {
-    const double turned = std::abs(normalizeAngle(path_[to].pose.yaw - path_[from].pose.yaw));
-    return distanceBetween(path_[from].pose, path_[to].pose) >= recorder_.min_step_distance ||
-           (recorder_.min_step_turn > 0.0 && turned >= recorder_.min_step_turn);
-  }
+  bool hasMoved(std::size_t from, std::size_t to) const { return isStep(path_[from].pose, path_[to].pose, recorder_); }
 
   /// The last message before the robot left each place where it stood, and the end of the stretch.
   std::vector<std::size_t> stopsOf(const Stretch& stretch) const {

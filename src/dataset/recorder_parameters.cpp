@@ -1,6 +1,7 @@
 #include "lstm_planner/dataset/recorder_parameters.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -31,6 +32,12 @@ void validate(const RecorderParameters& parameters) {
   validate(parameters.scan_rules);
   const ActionSet actions(parameters.action_angles);
   validate(parameters.agent);
+}
+
+bool isStep(const Pose2& from, const Pose2& to, const RecorderParameters& parameters) {
+  const double turned = std::abs(normalizeAngle(to.yaw - from.yaw));
+  return distanceBetween(from, to) >= parameters.min_step_distance ||
+         (parameters.min_step_turn > 0.0 && turned >= parameters.min_step_turn);
 }
 
 nlohmann::json toJson(const RecorderParameters& parameters) {

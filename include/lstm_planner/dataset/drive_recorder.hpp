@@ -62,7 +62,6 @@ class DriveRecorder {
   void sample(const ScanHeard& scan);
   /// Why the scan cannot be used; empty when it can.
   std::string see(const ScanHeard& scan);
-  bool hasMovedSinceStep() const;
   bool isAt(const Point2& goal, const Pose2& pose) const;
   void startEpisode();
   void startStep(const ScanHeard& scan);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "lstm_planner/common/geometry.hpp"
 #include "lstm_planner/common/parameter_visitors.hpp"
 #include "lstm_planner/drive/decision/agent_parameters.hpp"
 #include "lstm_planner/drive/perception/scan_rules.hpp"
@@ -57,6 +58,9 @@ void visitRecorderParameters(Parameters& recorder, const Visitor& visit) {
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const RecorderParameters& parameters);
+
+/// Whether the robot has moved far enough from one pose to the other for a step.
+bool isStep(const Pose2& from, const Pose2& to, const RecorderParameters& parameters);
 
 /// For the description of a recording. Reading leaves what is missing at its default.
 nlohmann::json toJson(const RecorderParameters& parameters);
