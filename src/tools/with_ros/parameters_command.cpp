@@ -65,7 +65,7 @@ struct Node {
   const char* title;
   const char* file;
   Table table;
-  std::vector<std::string> changeable;  ///< names of those that may change while it runs
+  std::vector<std::string> changeable = {};  ///< names of those that may change while it runs
 };
 
 // Parameters that no visitor visits, as their values are lists and poses, or as others read them.
@@ -95,45 +95,25 @@ std::vector<Node> nodes() {
        tableOf(SteeringControllerParameters(),
                [](auto& p, const auto& visit) { visitSteeringControllerParameters(p, visit); }),
        changeableSteeringControllerParameters()},
-      {"recorder",
-       "dataset_recorder",
-       "config/dataset_recorder.yaml",
-       tableOf(RecorderNodeParameters(), [](auto& p, const auto& visit) { visitRecorderNodeParameters(p, visit); }),
-       {}},
-      {"stub",
-       "create2_stub",
-       "config/create2_stub.yaml",
+      {"recorder", "dataset_recorder", "config/dataset_recorder.yaml",
+       tableOf(RecorderNodeParameters(), [](auto& p, const auto& visit) { visitRecorderNodeParameters(p, visit); })},
+      {"stub", "create2_stub", "config/create2_stub.yaml",
        tableOf(Create2StubParameters(), [](auto& p, const auto& visit) { visitCreate2StubParameters(p, visit); },
-               {kScenarioStart}),
-       {}},
-      {"driver",
-       "scripted_teleoperator",
-       "config/scripted_teleoperator.yaml",
-       tableOf(TeleoperatorParameters(), [](auto& p, const auto& visit) { visitTeleoperatorParameters(p, visit); }),
-       {}},
-      {"replay",
-       "bag_replay",
-       "launch/replay.launch",
-       tableOf(BagReplayParameters(), [](auto& p, const auto& visit) { visitBagReplayParameters(p, visit); }, {kMount}),
-       {}},
-      {"advice",
-       "drive_advice",
-       "launch/advice.launch",
-       tableOf(DriveAdviceParameters(), [](auto& p, const auto& visit) { visitDriveAdviceParameters(p, visit); }),
-       {}},
-      {"demo",
-       "demo_runner",
-       "launch/demo.launch",
+               {kScenarioStart})},
+      {"driver", "scripted_teleoperator", "config/scripted_teleoperator.yaml",
+       tableOf(TeleoperatorParameters(), [](auto& p, const auto& visit) { visitTeleoperatorParameters(p, visit); })},
+      {"replay", "bag_replay", "launch/replay.launch",
+       tableOf(BagReplayParameters(), [](auto& p, const auto& visit) { visitBagReplayParameters(p, visit); },
+               {kMount})},
+      {"advice", "drive_advice", "launch/advice.launch",
+       tableOf(DriveAdviceParameters(), [](auto& p, const auto& visit) { visitDriveAdviceParameters(p, visit); })},
+      {"demo", "demo_runner", "launch/demo.launch",
        tableOf(
-           DemoParameters(), [](auto& p, const auto& visit) { visitDemoParameters(p, visit); }, demo_rows),
-       {}},
-      {"move_base",
-       "standalone_move_base",
-       "config/move_base.yaml",
+           DemoParameters(), [](auto& p, const auto& visit) { visitDemoParameters(p, visit); }, demo_rows)},
+      {"move_base", "standalone_move_base", "config/move_base.yaml",
        tableOf(
            StandaloneMoveBaseParameters(),
-           [](auto& p, const auto& visit) { visitStandaloneMoveBaseParameters(p, visit); }, kCostmaps),
-       {}}};
+           [](auto& p, const auto& visit) { visitStandaloneMoveBaseParameters(p, visit); }, kCostmaps)}};
 }
 
 void print(const Node& node) {
