@@ -367,7 +367,7 @@ const Fault kTransformFaults[] = {
      "the robot stands: the newest transform from map to odom is * s old, allowed are tf_timeout = ",
      kTfTimeout + kStandsWithin},
     {"InTheFuture", localisationAt(5.0),
-     "the robot stands: the newest transform from map to odom is stamped * s in the future, allowed are tf_timeout = ",
+     "the robot stands: the newest transform from map to odom is stamped * s in the future, allowed are 3",
      kTfTimeout + kStandsWithin},
     {"FarInTheFuture", localisationAt(1000.0),
      "the transform from odom to map by /bad_transforms is not used: it is stamped", kTfTimeout + kStandsWithin},

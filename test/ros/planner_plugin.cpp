@@ -294,6 +294,16 @@ TEST_F(PlannerTest, TheFootprintOfTheCostmapCountsWhereItReachesFarther) {
   EXPECT_EQ(log_.count("reaches 0.326 m beyond that: [["), 1);  // the corner at (-0.4, -0.3)
 }
 
+TEST_F(PlannerTest, TheRadiusOfTheCostmapsParametersCountsToo) {
+  ros::param::set("~/costmap/robot_radius", 0.35);
+  EXPECT_NE(makePlanner(), nullptr);
+  log_.flush();
+  EXPECT_EQ(log_.count("reaches 0.176 m beyond that: a circle of 0.35 m counts"), 1);
+  ros::param::set("~/costmap/robot_radius", "wide");
+  expectUnusable("costmap/robot_radius is wide, expected a positive number");
+  ros::param::del("~/costmap/robot_radius");
+}
+
 TEST_F(PlannerTest, AFootprintMayBeAListOfCorners) {
   ros::NodeHandle node("~/LstmGlobalPlanner/shield");
   XmlRpc::XmlRpcValue corners;

@@ -1,10 +1,21 @@
 #include "ros/common/frame_transformer.hpp"
 
+#include <algorithm>
+#include <string>
+
 #include "lstm_planner/drive/perception/message_age.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "ros/common/timing.hpp"
 
 namespace lstm_planner {
+
+namespace {
+
+/// s; a localisation stamps its transforms ahead by its transform_tolerance (amcl: 0.1 s, many robots: 0.5 or 1 s),
+/// because they hold until the next one.
+constexpr double kMostAhead = 3.0;
+
+}  // namespace
 
 Pose2 FrameTransformer::transform(const std::string& target, const std::string& source, const ros::Time& now) const {
   if (target == source) {
@@ -19,10 +30,15 @@ Pose2 FrameTransformer::transform(const std::string& target, const std::string& 
   const bool is_static = transform.header.stamp.isZero();
   if (!is_static && timeout_ > 0.0) {
     const double age = secondsBetween(transform.header.stamp, now);
-    const std::string problem = ageProblem(age, timeout_, "tf_timeout");
-    const std::string sentence = "the newest transform from " + source + " to " + target + " is " + problem;
-    if (!problem.empty() && age < 0.0) throw FutureTransform(sentence);
-    if (!problem.empty()) throw FrameError(sentence);
+    const std::string newest = "the newest transform from " + source + " to " + target + " is ";
+    const double allowed = std::max(timeout_, kMostAhead);
+    if (-age > allowed) {
+      throw FutureTransform(newest + "stamped " + std::to_string(-age) + " s in the future, allowed are " +
+                            std::to_string(allowed) + " s: the clocks differ (NTP), or the localisation's " +
+                            "transform_tolerance is larger");
+    }
+    const std::string problem = ageProblem(std::max(0.0, age), timeout_, "tf_timeout");
+    if (!problem.empty()) throw FrameError(newest + problem);
   }
   const Pose2 pose = fromMessage(transform.transform);
   if (!isFinite(pose)) throw FrameError("the transform from " + source + " to " + target + " is not finite");

@@ -25,8 +25,8 @@ class FutureTransform : public FrameError {
 /// Planar transforms between frames; never waits for one. Static ones are never too old.
 class FrameTransformer {
  public:
-  /// `tf` must outlive the object. `timeout`: s; transforms that are older, or stamped further in the future, are not
-  /// used; 0 = any will do.
+  /// `tf` must outlive the object. `timeout`: s; older transforms are not used, nor those stamped farther ahead than
+  /// any localisation does (3 s, or the timeout if that is longer); 0 = any will do.
   FrameTransformer(const tf2_ros::Buffer& tf, double timeout) : tf_(tf), timeout_(timeout) {}
 
   /// Pose of the frame `source` in the frame `target`, from the newest transforms there are. Throws FrameError,

@@ -1,10 +1,25 @@
 #include "lstm_planner/ros/common/scanner_mounts.hpp"
 
+#include <ros/console.h>
 #include <tf2/exceptions.h>
+
+#include <cmath>
 
 #include "lstm_planner/ros/common/conversions.hpp"
 
 namespace lstm_planner {
+
+namespace {
+
+constexpr double kWarningPeriod = 30.0;   // s
+constexpr double kSamePlace = 0.001;      // m
+constexpr double kSameDirection = 0.002;  // rad
+
+bool differ(const Pose2& one, const Pose2& other) {
+  return distanceBetween(one, other) > kSamePlace || std::abs(normalizeAngle(one.yaw - other.yaw)) > kSameDirection;
+}
+
+}  // namespace
 
 void ScannerMounts::setBaseFrame(const std::string& base_frame) {
   if (base_frame.empty() || base_frame == base_frame_) return;
@@ -12,23 +27,46 @@ void ScannerMounts::setBaseFrame(const std::string& base_frame) {
   mounts_.clear();
 }
 
+SensorMount ScannerMounts::lookUp(const std::string& base_frame, const std::string& frame) const {
+  const SensorMount mount = mountFromMessage(tf_.lookupTransform(base_frame, frame, ros::Time(0)).transform);
+  if (!isFinite(mount.pose)) {
+    throw std::invalid_argument("the transform from " + frame + " to " + base_frame + " is not finite");
+  }
+  return mount;
+}
+
+SensorMount ScannerMounts::lookUp(const std::string& frame) const {
+  try {
+    return lookUp(base_frame_, frame);
+  } catch (const tf2::LookupException&) {
+    if (base_frame_ == stand_in_) throw;
+    const SensorMount mount = lookUp(stand_in_, frame);
+    ROS_WARN_ONCE("the odometry calls the robot %s (child_frame_id), which tf does not connect with %s: %s is taken",
+                  base_frame_.c_str(), frame.c_str(), stand_in_.c_str());
+    return mount;
+  }
+}
+
 const SensorMount& ScannerMounts::at(const std::string& frame) {
   constexpr std::size_t kMostScanners = 16;
   const auto known = mounts_.find(frame);
-  if (known != mounts_.end()) return known->second;
-  SensorMount mount;
   try {
-    mount = mountFromMessage(tf_.lookupTransform(base_frame_, frame, ros::Time(0)).transform);
+    const SensorMount mount = lookUp(frame);
+    if (known == mounts_.end()) {
+      if (mounts_.size() >= kMostScanners) mounts_.clear();
+      return mounts_.emplace(frame, mount).first->second;
+    }
+    if (differ(mount.pose, known->second.pose)) {
+      ROS_WARN_THROTTLE(kWarningPeriod, "the transform from %s to %s has changed: the scanner moves, or was corrected",
+                        frame.c_str(), base_frame_.c_str());
+    }
+    return known->second = mount;
   } catch (const tf2::TransformException& error) {
+    if (known != mounts_.end()) return known->second;  // tf forgets all when the clock is set back
     throw MountUnknown("the pose of the scanner is not known: " + std::string(error.what()));
   } catch (const std::invalid_argument& error) {
     throw MountUnknown(error.what());
   }
-  if (!isFinite(mount.pose)) {
-    throw MountUnknown("the transform from " + frame + " to " + base_frame_ + " is not finite");
-  }
-  if (mounts_.size() >= kMostScanners) mounts_.clear();
-  return mounts_.emplace(frame, mount).first->second;
 }
 
 }  // namespace lstm_planner

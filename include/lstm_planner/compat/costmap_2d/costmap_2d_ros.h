@@ -27,7 +27,8 @@ class Costmap2DROS {
   const std::string& getBaseFrameID() const noexcept { return robot_base_frame_; }
 
   Costmap2D* getCostmap() { return &costmap_; }
-  /// Corners in the robot's frame, none unless somebody sets them; there is no padding.
+  /// Corners in the robot's frame, none unless somebody sets them: the plugins read the parameters `footprint` and
+  /// `robot_radius` themselves. There is no padding.
   const std::vector<geometry_msgs::Point>& getRobotFootprint() const noexcept { return footprint_; }
   const std::vector<geometry_msgs::Point>& getUnpaddedRobotFootprint() const noexcept { return footprint_; }
   void setUnpaddedRobotFootprint(const std::vector<geometry_msgs::Point>& points) { footprint_ = points; }

@@ -16,20 +16,26 @@ class MountUnknown : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Where scanners sit on the robot, by the transforms. Asked for once a scanner: they do not move.
+/// Where scanners sit on the robot, by the newest transforms. Says so when one moves or is corrected.
 class ScannerMounts {
  public:
-  /// `tf` must outlive the object. `base_frame` stands in where nothing names the robot's frame.
-  ScannerMounts(const tf2::BufferCore& tf, const std::string& base_frame) : tf_(tf), base_frame_(base_frame) {}
+  /// `tf` must outlive the object. `base_frame` stands in where nothing names the robot's frame, or names one that tf
+  /// does not know.
+  ScannerMounts(const tf2::BufferCore& tf, const std::string& base_frame)
+      : tf_(tf), stand_in_(base_frame), base_frame_(base_frame) {}
 
   /// The robot's frame has this name; nothing happens where it is empty.
   void setBaseFrame(const std::string& base_frame);
 
-  /// Of the scanner in that frame. Throws MountUnknown.
+  /// Of the scanner in that frame; the last known one while tf does not know it. Throws MountUnknown if there is none.
   const SensorMount& at(const std::string& frame);
 
  private:
+  SensorMount lookUp(const std::string& base_frame, const std::string& frame) const;
+  SensorMount lookUp(const std::string& frame) const;
+
   const tf2::BufferCore& tf_;
+  const std::string stand_in_;
   std::string base_frame_;
   std::map<std::string, SensorMount> mounts_;  ///< by the scanner's frame
 };
