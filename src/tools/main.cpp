@@ -31,11 +31,12 @@ const std::vector<lstm_planner::Command>& commands() {
   return all;
 }
 
-/// What went wrong on one rank has mostly gone wrong on all. The first says so, and ends the others before they do.
+/// What went wrong on one rank has mostly gone wrong on all. The first says so, and ends the others before they do:
+/// they leave it time for that, also on a machine that is busy.
 int fail(const std::string& sentence) {
   using lstm_planner::isFirstRank;
   const lstm_planner::Communicator& ranks = *lstm_planner::ranks();
-  if (!isFirstRank()) std::this_thread::sleep_for(std::chrono::seconds(1));
+  if (!isFirstRank()) std::this_thread::sleep_for(std::chrono::seconds(10));
   std::cerr << "lstm_planner" << sentence;
   if (!isFirstRank()) std::cerr << " (rank " << ranks.rank() << " of " << ranks.size() << ")";
   std::cerr << std::endl;

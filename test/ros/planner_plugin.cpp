@@ -391,7 +391,8 @@ TEST_F(PlannerTest, TellsInDiagnosticsWhoLeadsAndWithWhichModel) {
     plan(planner.get(), stampedPose("odom", kGoal));
     return !DiagnosticsListener::valueOf("step", listener.task("LstmGlobalPlanner")).empty();
   }));
-  EXPECT_EQ(listener.latched().message.find("the network leads: "), 0u) << listener.latched().message;
+  EXPECT_TRUE(eventually([&] { return listener.latched().message.find("the network leads: ") == 0; }))
+      << listener.latched().message;
   std::set<std::string> latched;
   for (const auto& value : listener.latched().values) latched.insert(value.key);
   EXPECT_EQ(latched, std::set<std::string>{"model"}) << "what is latched has no figures, which would grow old";
