@@ -13,6 +13,16 @@ namespace {
 
 constexpr double kBehind = 2.7;  // rad of heading error
 
+/// m/s; up to here the robot speeds up from what it was told last, not only from what it measures: the motors of many
+/// bases stand still at less.
+constexpr double kStart = 0.1;
+
+/// m/s, from which the robot speeds up.
+double reached(const Twist2& measured, const MotionHistory& history) {
+  const double told = history.commanded.empty() ? 0.0 : history.commanded.back().linear;
+  return std::max({0.0, measured.linear, std::min(told, kStart)});
+}
+
 }  // namespace
 
 void validate(const MotionParameters& parameters) {
@@ -69,7 +79,7 @@ MotionCommand MotionController::choose(const Moment& now, const std::vector<Poin
   StopReason stop = StopReason::kNone;
   if (std::abs(error) < parameters_.turn_in_place) {
     const double brakes = std::sqrt(2.0 * parameters_.linear_acceleration * to_goal);
-    const double reachable = std::max(0.0, current.linear) + parameters_.linear_acceleration * period;
+    const double reachable = reached(current, now.history) + parameters_.linear_acceleration * period;
     twist.linear = std::min({parameters_.max_linear * std::cos(error), brakes, reachable});
     twist = withinWheelLimits(twist);
     if (has_corners) return driveWithCorners(twist, error, now);
