@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "lstm_planner/drive/collision/returns_inside.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "ros/common/timing.hpp"
 
@@ -90,6 +91,8 @@ MotionCommand PlanFollower::compute() {
 }
 
 std::string PlanFollower::whatBlocks(const std::string& why) const {
+  const std::string inside = returnsInside(seen_.obstacles, shield_.footprint());
+  if (!inside.empty()) return why.empty() ? inside : why + "; " + inside;
   const auto nearest = [this](const std::vector<Point2>& points) {
     double gap = reach_;
     for (const Point2& point : points) gap = std::min(gap, shield_.footprint().distanceTo(point));

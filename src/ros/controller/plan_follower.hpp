@@ -53,7 +53,8 @@ class PlanFollower {
 
   SensorListener& sensors() { return sensors_; }
 
-  /// `why`, and the distance of an obstacle of the costmap that the scan does not show, if it is the nearest one.
+  /// `why`, and what more is known of it: returns inside the footprint, or the distance of an obstacle of the costmap
+  /// that the scan does not show, if it is the nearest one.
   std::string whatBlocks(const std::string& why) const;
   /// Measured at the last command, m/s, 0 or more.
   double speed() const { return speed_; }

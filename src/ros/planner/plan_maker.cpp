@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lstm_planner/drive/collision/returns_inside.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 
 namespace lstm_planner {
@@ -31,7 +32,7 @@ double goalPatience() {
 /// Only a network that leads must be there. `problem`: why it is not.
 DrivePolicy policyOf(const GlobalPlannerParameters& parameters, std::string* problem) {
   try {
-    return DrivePolicy::fromFile(resolvePackagePath(parameters.model));
+    return DrivePolicy::fromFile(resolvedPath(parameters.model));
   } catch (const std::exception& error) {
     if (parameters.agent.leader == Leader::kNetwork) throw;
     *problem = error.what();
@@ -45,6 +46,7 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
                      const std::string& global_frame, const std::string& base_frame, costmap_2d::Costmap2DROS* costmap)
     : parameters_(parameters),
       global_frame_(frameName(global_frame)),
+      footprint_(footprintOf(parameters.agent.shield)),
       agent_(policyOf(parameters, &model_problem_), parameters.agent),
       tf_listener_(&tf_, messages_.nodeHandle()),
       frames_(tf_, parameters.sensors.tf_timeout),
@@ -153,8 +155,10 @@ void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2&
   }
   const double distance = distanceBetween(start.pose.position, robot);
   if (!(distance <= kFarthestStart)) {
-    throw PlanRefused("the start is " + std::to_string(distance) +
-                      " m from the robot, plans are made only from where it stands");
+    throw PlanRefused("the start is " + std::to_string(distance) + " m from the robot (" +
+                      parameters_.sensors.odom_topic +
+                      "), plans are made only from where it stands: if tf has the pose of another odometry, as of an "
+                      "EKF, odom_topic must be the topic of that one");
   }
 }
 
@@ -170,6 +174,7 @@ void PlanMaker::perceive(const SensorReading& reading) {
     const Pose2 pose = compose(global_from_odometry_, second->pose);
     perceiveSecond({second_scan_, second->mount, pose, second->stamp}, rules, &seen_);
   }
+  warnOfReturnsInside();
   const Pose2 global_pose = seen_.pose;
   if (isDriftCorrected(reading)) drift_.correct(&seen_);
   agent_.perceive(seen_);
@@ -179,6 +184,12 @@ void PlanMaker::perceive(const SensorReading& reading) {
   known_ = agent_.outOfView();
   known_.insert(known_.end(), seen_.obstacles.begin(), seen_.obstacles.end());
   agent_.mark(costmap_.read(seen_.pose, known_));
+}
+
+void PlanMaker::warnOfReturnsInside() const {
+  constexpr double kWarnPeriod = 10.0;  // s
+  const std::string inside = returnsInside(seen_.obstacles, footprint_);
+  if (!inside.empty()) ROS_WARN_THROTTLE(kWarnPeriod, "the robot may stand for ever: %s", inside.c_str());
 }
 
 /// A localisation corrects the other frames, better than scans alone can.

@@ -81,6 +81,7 @@ class PlanMaker {
                                std::vector<geometry_msgs::PoseStamped>* plan);
   void checkStart(const geometry_msgs::PoseStamped& start, const Pose2& robot) const;
   void perceive(const SensorReading& reading);
+  void warnOfReturnsInside() const;
   void ask(const GoalInFrame& goal, Pose2* goal_in_global_frame);
   bool isDriftCorrected(const SensorReading& reading) const;
   const Decision& drive(const Pose2& goal, bool is_new);
@@ -96,6 +97,7 @@ class PlanMaker {
   GlobalPlannerParameters parameters_;
   std::string global_frame_;
   std::string model_problem_;  ///< empty if the model can be used
+  Footprint footprint_;
   NavigationAgent agent_;
   ElasticBand band_;
 
