@@ -188,6 +188,25 @@ TEST_F(BadSensorTest, AnOdometryThatNamesItsOwnFrameAsTheRobotsIsUsedAndSaid) {
   EXPECT_TRUE(eventuallyBothGoOn());
 }
 
+TEST_F(BadSensorTest, AnOdometryOfACameraLeadsTheBase) {
+  const Pose2 camera{0.3, 0.1, M_PI};
+  robot_.placeScanner("camera", camera, false);
+  robot_.alter_odometry = [&](auto* odometry) {
+    odometry->child_frame_id = "camera";
+    odometry->pose.pose = toMessage(compose(fromMessage(odometry->pose.pose), camera));
+  };
+  MessageQueue messages;
+  SensorListener sensors(&messages, {}, "base_footprint", tf_);
+  const Pose2 base{5.0, 1.0, 0.5};
+  robot_.moveTo(base, 30.0);
+  EXPECT_TRUE(eventually([&] {
+    robot_.again();
+    const auto pose = sensors.newestPose();
+    return pose && distanceBetween(*pose, base) < 1e-6 && std::abs(normalizeAngle(pose->yaw - base.yaw)) < 1e-6;
+  }));
+  EXPECT_TRUE(eventuallyBothGoOn());
+}
+
 TEST_F(BadSensorTest, AScanWhoseLastAngleDoesNotFitIsUsedAndSaid) {
   robot_.alter_scan = [](auto* scan) { scan->angle_max += 1.0F; };
   EXPECT_TRUE(eventuallyBothGoOn());

@@ -22,7 +22,9 @@ SensorListener::SensorListener(MessageQueue* messages, const SensorParameters& p
                                const std::string& base_frame, const tf2_ros::Buffer& tf)
     : messages_(*messages),
       parameters_(parameters),
+      base_frame_(base_frame),
       mounts_(tf, base_frame),
+      odometry_base_(tf, base_frame),
       history_(parameters.max_speed),
       first_(watchFor(parameters.scan_topic)) {
   const bool has_second = !parameters.second_scan_topic.empty();
@@ -60,14 +62,14 @@ void SensorListener::onOdometry(const ros::MessageEvent<nav_msgs::Odometry const
   odometry_stamp_ = stampOr(odometry->header.stamp, odometry_received_);
   odometry_period_.note(odometry_stamp_.toSec());
   const geometry_msgs::Twist& twist = odometry->twist.twist;
-  const OdometryHistory::Entry entry{
-      odometry_stamp_.toSec(), fromMessage(odometry->pose.pose), {twist.linear.x, twist.angular.z}};
+  const bool base_moved = odometry_base_.setFrame(robotFrameOf(*odometry));
+  const OdometryHistory::Entry entry{odometry_stamp_.toSec(), odometry_base_.poseOf(fromMessage(odometry->pose.pose)),
+                                     odometry_base_.twistOf({twist.linear.x, twist.angular.z}, twist.linear.y)};
   odometry_is_finite_ = isFinite(entry.pose) && std::isfinite(entry.twist.linear) && std::isfinite(entry.twist.angular);
-  if (frameName(odometry->header.frame_id) != odometry_frame_) {
+  if (base_moved || frameName(odometry->header.frame_id) != odometry_frame_) {
     history_.restart();
     odometry_frame_ = frameName(odometry->header.frame_id);
   }
-  mounts_.setBaseFrame(robotFrameOf(*odometry));
   if (odometry_is_finite_) {
     history_.add(entry);
   }
@@ -188,7 +190,12 @@ const SensorMount& SensorListener::mountOf(const Scanner& scanner) {
   const std::string frame = frameName(scanner.message->header.frame_id);
   if (frame.empty()) throw SensorError("the scan on " + scanner.watch.topic() + " names no frame");
   try {
-    return mounts_.at(frame);
+    const SensorMount& mount = mounts_.at(frame);
+    if (!odometry_base_.isKnown()) {
+      ROS_WARN_ONCE("tf does not know the frame that the odometry on %s is of (child_frame_id): %s is taken",
+                    odometry_subscriber_.getTopic().c_str(), base_frame_.c_str());
+    }
+    return mount;
   } catch (const MountUnknown& error) {
     throw SensorError(error.what());
   }

@@ -18,6 +18,7 @@
 #include "lstm_planner/drive/plugin_parameters.hpp"
 #include "lstm_planner/ros/common/scanner_mounts.hpp"
 #include "ros/common/message_queue.hpp"
+#include "ros/common/odometry_base.hpp"
 
 namespace lstm_planner {
 
@@ -53,7 +54,7 @@ struct SensorHealth {
 /// Keeps the newest scan of one scanner or two, and the odometry around it. Never waits for any. Thread safe.
 class SensorListener {
  public:
-  /// `base_frame` stands in where the odometry does not name the robot's frame. `messages` and `tf` must outlive the
+  /// `base_frame` is the robot's, whichever part of it the odometry is of. `messages` and `tf` must outlive the
   /// object.
   SensorListener(MessageQueue* messages, const SensorParameters& parameters, const std::string& base_frame,
                  const tf2_ros::Buffer& tf);
@@ -96,9 +97,11 @@ class SensorListener {
 
   MessageQueue& messages_;
   SensorParameters parameters_;
+  std::string base_frame_;
 
   std::mutex mutex_;  ///< guards all below
   ScannerMounts mounts_;
+  OdometryBase odometry_base_;
   std::string odometry_frame_;
   ros::Time odometry_stamp_;
   ros::Time odometry_received_;

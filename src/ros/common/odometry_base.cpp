@@ -1,0 +1,40 @@
+#include "ros/common/odometry_base.hpp"
+
+#include <tf2/exceptions.h>
+
+#include <cmath>
+
+#include "lstm_planner/ros/common/conversions.hpp"
+
+namespace lstm_planner {
+
+bool OdometryBase::setFrame(const std::string& frame) {
+  is_known_ = frame.empty() || frame == base_frame_;
+  if (is_known_) return place({});
+  try {
+    const Pose2 base = mountFromMessage(tf_.lookupTransform(frame, base_frame_, ros::Time(0)).transform).pose;
+    is_known_ = isFinite(base);
+    return is_known_ && place(base);
+  } catch (const tf2::TransformException&) {
+    return false;
+  }
+}
+
+bool OdometryBase::place(const Pose2& base) {
+  constexpr double kSamePlace = 0.001;      // m
+  constexpr double kSameDirection = 0.002;  // rad
+  if (distanceBetween(base, base_) <= kSamePlace && std::abs(normalizeAngle(base.yaw - base_.yaw)) <= kSameDirection) {
+    return false;
+  }
+  base_ = base;
+  return true;
+}
+
+Twist2 OdometryBase::twistOf(const Twist2& odometry, double sideways) const {
+  if (base_.x == 0.0 && base_.y == 0.0 && base_.yaw == 0.0) return odometry;  // and `sideways` may be anything
+  const double ahead = odometry.linear - odometry.angular * base_.y;
+  const double aside = sideways + odometry.angular * base_.x;
+  return {std::cos(base_.yaw) * ahead + std::sin(base_.yaw) * aside, odometry.angular};
+}
+
+}  // namespace lstm_planner

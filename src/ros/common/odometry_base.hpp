@@ -1,0 +1,38 @@
+#pragma once
+
+#include <tf2/buffer_core.h>
+
+#include <string>
+
+#include "lstm_planner/common/geometry.hpp"
+
+namespace lstm_planner {
+
+/// Pose and speed of the robot's base, from an odometry that is of another part of the robot: the pose is that of
+/// child_frame_id (nav_msgs/Odometry), as of a tracking camera in front of the wheels. tf says where the base is.
+class OdometryBase {
+ public:
+  /// `tf` must outlive the object.
+  OdometryBase(const tf2::BufferCore& tf, const std::string& base_frame) : tf_(tf), base_frame_(base_frame) {}
+
+  /// The odometry is of this frame; empty: of the base. True if the base is now somewhere else in it. While tf does not
+  /// know it the last place counts, at first that of the frame itself.
+  bool setFrame(const std::string& frame);
+
+  /// tf connects that frame with the base.
+  bool isKnown() const { return is_known_; }
+
+  Pose2 poseOf(const Pose2& odometry) const { return compose(odometry, base_); }
+  /// `sideways`: the other component of the odometry's speed, m/s.
+  Twist2 twistOf(const Twist2& odometry, double sideways) const;
+
+ private:
+  bool place(const Pose2& base);
+
+  const tf2::BufferCore& tf_;
+  std::string base_frame_;
+  Pose2 base_;  ///< in the odometry's child frame
+  bool is_known_ = true;
+};
+
+}  // namespace lstm_planner
