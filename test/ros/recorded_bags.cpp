@@ -246,14 +246,22 @@ TEST(RecordedBagTest, WhatFollowsInTimeIsOneRecordingAlsoInAFolder) {
   EXPECT_EQ(bagRecordings({folder.path().string()}, 2.0), expected);
   EXPECT_EQ(bagRecordings({broken, later, third, beside, first, second}, 2.0), expected);
   EXPECT_EQ(bagRecordings({first, second}, 0.05).size(), 2u) << "a longer pause is the end of a recording";
-  const test::ScratchFolder empty;
-  try {
-    bagRecordings({empty.path().string()}, 2.0);
-    FAIL() << "a folder without bags";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_EQ(std::string(error.what()),
-              "the folder " + empty.path().string() + " holds no bags, expected files *.bag");
-  }
+}
+
+TEST(RecordedBagTest, AFolderWithoutBagsIsRefused) {
+  const test::ScratchFolder folder;
+  const auto refusal = [&]() -> std::string {
+    try {
+      bagRecordings({folder.path().string()}, 2.0);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string none = "the folder " + folder.path().string() + " holds no bags, expected files *.bag";
+  EXPECT_EQ(refusal(), none);
+  writeBytes(folder / "metadata.yaml", "rosbag2_bagfile_information: {}");
+  EXPECT_EQ(refusal(), none + ": it is a recording of ROS 2, rosbags-convert makes a bag of it");
 }
 
 TEST(RecordedBagTest, HindsightTakesThePlacesThatWereDrivenTo) {
@@ -316,9 +324,15 @@ TEST(RecordedBagTest, FilesThatAreNoBagsAreRefusedInASentence) {
   EXPECT_EQ(refusalOf(pathOf("pipe.bag")), "cannot be read: it is a pipe or a device, expected a regular file");
   std::remove(pathOf("pipe.bag").c_str());
   writeBytes(pathOf("text.bag"), "this is no bag\n");
-  EXPECT_EQ(refusalOf(pathOf("text.bag")).find("cannot be read: "), 0u);
+  EXPECT_EQ(refusalOf(pathOf("text.bag")), "cannot be read: it does not begin with #ROSBAG, expected a bag of ROS 1");
+  for (const char* begin : {"SQLite format 3", "\x89MCAP0\r\n"}) {
+    writeBytes(pathOf("of_ros2.bag"), begin);
+    EXPECT_EQ(refusalOf(pathOf("of_ros2.bag")),
+              "cannot be read: it is a recording of ROS 2, expected a bag of ROS 1: rosbags-convert makes one of it");
+  }
   writeBytes(pathOf("empty.bag"), "");
-  EXPECT_EQ(refusalOf(pathOf("empty.bag")).find("cannot be read: "), 0u);
+  EXPECT_EQ(refusalOf(pathOf("empty.bag")),
+            "cannot be read: it is empty, as when recording was cut off before anything was written");
   { rosbag::Bag bag(pathOf("nothing.bag"), rosbag::bagmode::Write); }
   EXPECT_EQ(refusalOf(pathOf("nothing.bag")), "has no scans: expected a topic of sensor_msgs/LaserScan among none");
 }

@@ -15,8 +15,10 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <new>
@@ -107,8 +109,22 @@ void OdometryFromTransforms::setTwist(nav_msgs::Odometry* odometry) const {
 
 using OpenBags = std::vector<std::unique_ptr<rosbag::Bag>>;
 
-std::unique_ptr<rosbag::Bag> openBag(const std::string& path) {
+/// rosbag's own exceptions tell little of a file that is none of its own.
+void checkIsBag(const std::string& path) {
   checkInputFile(path, std::numeric_limits<std::uintmax_t>::max());
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 16> start{};
+  file.read(start.data(), start.size());
+  const std::string begin(start.data(), static_cast<std::size_t>(file.gcount()));
+  if (begin.empty()) throw InputFileError("it is empty, as when recording was cut off before anything was written");
+  if (begin.find("SQLite format 3") == 0 || begin.find("MCAP") == 1) {
+    throw InputFileError("it is a recording of ROS 2, expected a bag of ROS 1: rosbags-convert makes one of it");
+  }
+  if (begin.find("#ROS") != 0) throw InputFileError("it does not begin with #ROSBAG, expected a bag of ROS 1");
+}
+
+std::unique_ptr<rosbag::Bag> openBag(const std::string& path) {
+  checkIsBag(path);
   return std::make_unique<rosbag::Bag>(path, rosbag::bagmode::Read);
 }
 

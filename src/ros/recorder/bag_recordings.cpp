@@ -35,7 +35,11 @@ std::vector<std::string> bagsIn(const std::string& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() == ".bag" && entry.is_regular_file()) bags.push_back(entry.path().string());
   }
-  if (bags.empty()) throw std::invalid_argument("the folder " + folder + " holds no bags, expected files *.bag");
+  if (bags.empty()) {
+    const bool is_of_ros2 = fs::exists(fs::path(folder) / "metadata.yaml");
+    throw std::invalid_argument("the folder " + folder + " holds no bags, expected files *.bag" +
+                                (is_of_ros2 ? ": it is a recording of ROS 2, rosbags-convert makes a bag of it" : ""));
+  }
   std::sort(bags.begin(), bags.end());
   return bags;
 }
