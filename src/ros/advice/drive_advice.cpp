@@ -41,7 +41,7 @@ void add(const std::string& key, double value, DiagnosticStatus* status) {
 
 DriveAdvice::DriveAdvice(const DriveAdviceParameters& parameters)
     : parameters_(parameters),
-      replay_(DrivePolicy::fromFile(resolvePackagePath(parameters.planner.model)), parameters.planner.agent,
+      replay_(DrivePolicy::fromFile(resolvedPath(parameters.planner.model)), parameters.planner.agent,
               parameters.planner.sensors.scan_rules),
       tf_listener_(&tf_),
       messages_(tf_, parameters.base_frame, std::nullopt, stepParameters(replay_.description(), parameters), this),

@@ -2,6 +2,8 @@
 
 #include <ros/package.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -34,18 +36,23 @@ SteeringControllerParameters loadSteeringControllerParameters(const ros::NodeHan
   return parameters;
 }
 
-std::string resolvePackagePath(const std::string& path) {
+std::string resolvedPath(const std::string& path) {
   const std::string scheme = "package://";
-  if (path.compare(0, scheme.size(), scheme) != 0) {
-    return path;
+  if (path.compare(0, scheme.size(), scheme) == 0) {
+    const std::size_t slash = path.find('/', scheme.size());
+    const std::string package = path.substr(scheme.size(), slash - scheme.size());
+    const std::string folder = ros::package::getPath(package);
+    if (folder.empty() || slash == std::string::npos) {
+      throw std::invalid_argument("there is no file " + path + ": package '" + package + "' was not found");
+    }
+    return folder + path.substr(slash);
   }
-  const std::size_t slash = path.find('/', scheme.size());
-  const std::string package = path.substr(scheme.size(), slash - scheme.size());
-  const std::string folder = ros::package::getPath(package);
-  if (folder.empty() || slash == std::string::npos) {
-    throw std::invalid_argument("there is no file " + path + ": package '" + package + "' was not found");
+  if (path == "~" || path.compare(0, 2, "~/") == 0) {
+    const char* home = std::getenv("HOME");
+    if (home == nullptr) throw std::invalid_argument("there is no file " + path + ": the environment has no HOME");
+    return home + path.substr(1);
   }
-  return folder + path.substr(slash);
+  return path.empty() ? path : std::filesystem::absolute(path).string();
 }
 
 }  // namespace lstm_planner

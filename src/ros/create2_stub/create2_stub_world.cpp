@@ -5,6 +5,7 @@
 
 #include "lstm_planner/common/csv_file.hpp"
 #include "lstm_planner/grid/map_server_map.hpp"
+#include "lstm_planner/ros/common/plugin_parameters.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -40,13 +41,13 @@ std::unique_ptr<World> makeWorld(const Create2StubParameters& parameters) {
   std::unique_ptr<World> world;
   if (!parameters.map.empty()) {
     try {
-      world = std::make_unique<GridWorld>(readMapServerMap(parameters.map, parameters.free_threshold));
+      world = std::make_unique<GridWorld>(readMapServerMap(resolvedPath(parameters.map), parameters.free_threshold));
     } catch (const MapFileError& error) {
       throw std::invalid_argument(error.what());
     }
   } else {
     world = std::make_unique<CircleWorld>(
-        readCircles(parameters.circles, parameters.circle_radius, parameters.circle_world));
+        readCircles(resolvedPath(parameters.circles), parameters.circle_radius, parameters.circle_world));
   }
   const Footprint footprint = footprintOf(parameters.robot);
   if (world->touches(footprint, parameters.start)) {

@@ -8,6 +8,7 @@
 
 #include "lstm_planner/grid/map_server_map.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
+#include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "ros/common/node_main.hpp"
 
 namespace lstm_planner {
@@ -25,7 +26,7 @@ void say(const std::string& line) { std::cout << line << std::endl; }
 
 DemoRunner::DemoRunner(const DemoParameters& parameters)
     : parameters_(parameters),
-      map_(readMapServerMap(parameters.map, parameters.free_threshold)),
+      map_(readMapServerMap(resolvedPath(parameters.map), parameters.free_threshold)),
       distances_(map_, false),
       client_(node_, parameters.action, false) {
   for (const DemoParameters::Goal& goal : parameters_.goals) {

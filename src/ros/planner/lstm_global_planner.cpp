@@ -60,7 +60,7 @@ void LstmGlobalPlanner::setUp(const std::string& name, costmap_2d::Costmap2DROS*
   plan_maker_ = std::make_unique<PlanMaker>(name, parameters, costmap_ros->getGlobalFrameID(),
                                             costmap_ros->getBaseFrameID(), costmap_ros);
   const bool has_model = plan_maker_->modelProblem().empty();
-  model_ = has_model ? resolvePackagePath(parameters.model) : "none";
+  model_ = has_model ? resolvedPath(parameters.model) : "none";
   costmap_ = parameters.use_costmap ? costmap_ros : nullptr;
   ROS_INFO("%s plans in %s with the model %s", name.c_str(), costmap_ros->getGlobalFrameID().c_str(),
            has_model ? parameters.model.c_str() : model_.c_str());

@@ -1,7 +1,6 @@
 #include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
 
 #include <array>
-#include <cstdlib>
 #include <stdexcept>
 #include <utility>
 
@@ -35,14 +34,7 @@ std::string outputPath(const std::string& output, std::time_t now) {
   if (output.empty() || std::strftime(text.data(), text.size(), output.c_str(), &utc) == 0) {
     throw std::invalid_argument("parameter output is '" + output + "', expected the path of a file");
   }
-  std::string path = resolvePackagePath(text.data());
-  if (path == "~" || path.compare(0, 2, "~/") == 0) {
-    const char* home = std::getenv("HOME");
-    if (home == nullptr) {
-      throw std::invalid_argument("parameter output is '" + output + "', but the environment has no HOME");
-    }
-    path.replace(0, 1, home);
-  }
+  const std::string path = resolvedPath(text.data());
   if (path.back() == '/') {
     throw std::invalid_argument("parameter output is '" + output + "', a folder, expected the path of a file");
   }

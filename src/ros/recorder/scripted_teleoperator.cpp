@@ -13,6 +13,7 @@
 #include "lstm_planner/drive/perception/odometry_history.hpp"
 #include "lstm_planner/grid/map_server_map.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
+#include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/common/transform_listener.hpp"
 #include "lstm_planner/ros/recorder/teleoperator_parameters.hpp"
 #include "lstm_planner/simulation/world.hpp"
@@ -89,7 +90,7 @@ class ScriptedTeleoperator {
 
 ScriptedTeleoperator::ScriptedTeleoperator(const TeleoperatorParameters& parameters)
     : parameters_(parameters),
-      world_(readMapServerMap(parameters.map, parameters.free_threshold)),
+      world_(readMapServerMap(resolvedPath(parameters.map), parameters.free_threshold)),
       driver_(world_, parameters.driver, static_cast<std::uint64_t>(parameters.seed)),
       truth_(kFastest) {
   command_publisher_ = node_.advertise<geometry_msgs::Twist>("cmd_vel", 1);

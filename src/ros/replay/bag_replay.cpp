@@ -235,7 +235,7 @@ class BagReplay {
 
 BagReplay::BagReplay(const BagReplayParameters& parameters)
     : parameters_(parameters),
-      replay_(DrivePolicy::fromFile(resolvePackagePath(parameters.planner.model)), parameters.planner.agent,
+      replay_(DrivePolicy::fromFile(resolvedPath(parameters.planner.model)), parameters.planner.agent,
               parameters.planner.sensors.scan_rules),
       drive_(recordBags(
           {parameters.bag}, parameters.drive,
@@ -304,6 +304,8 @@ BagReplayParameters loadBagReplayParameters(const ros::NodeHandle& private_node)
                                 " is empty, expected the path of a bag");
   }
   visitBagReplayParameters(std::as_const(parameters), RangeCheck());
+  parameters.bag = resolvedPath(parameters.bag);
+  parameters.decisions = resolvedPath(parameters.decisions);
   return parameters;
 }
 

@@ -13,7 +13,9 @@ namespace lstm_planner {
 GlobalPlannerParameters loadGlobalPlannerParameters(const ros::NodeHandle& node_handle);
 SteeringControllerParameters loadSteeringControllerParameters(const ros::NodeHandle& node_handle);
 
-/// The file behind package://NAME/PATH; any other path as it is. Throws std::invalid_argument for an unknown package.
-std::string resolvePackagePath(const std::string& path);
+/// The file that a parameter names: package://NAME/PATH, ~/PATH, or a path, which is made absolute: roslaunch starts
+/// nodes in another folder than the user's, so messages are to name the whole path. Empty stays empty. Throws
+/// std::invalid_argument for an unknown package.
+std::string resolvedPath(const std::string& path);
 
 }  // namespace lstm_planner
