@@ -22,10 +22,10 @@ std::string returnsInside(const std::vector<Point2>& returns, const Footprint& f
   char text[300];
   std::snprintf(
       text, sizeof(text),
-      "%zu return%s of the scan %s inside the footprint, the deepest %.2f m, at (%.2f, %.2f) m in the robot's "
+      "returns of the scan are inside the footprint (%zu), the deepest %.2f m, at (%.2f, %.2f) m in the robot's "
       "frame: if it is a part of the robot, filter these beams (package laser_filters) or raise the "
       "scanner's range_min",
-      count, count == 1 ? "" : "s", count == 1 ? "is" : "are", -deepest, where.x, where.y);
+      count, -deepest, where.x, where.y);
   return text;
 }
 
