@@ -27,7 +27,7 @@ class OutOfView {
   void forget();
 
  private:
-  static constexpr double kAround = 1.5;  // m: a robot with corners goes back by up to 1.2 m
+  static constexpr double kAround = 1.5;  // m: a robot with corners goes back as far as this (Trail)
 
   static bool isInView(const RangeProfile& profile, const Point2& place);
   static bool isInView(const Situation& situation, const Point2& place);
