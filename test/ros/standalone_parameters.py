@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""standalone_move_base refuses numbers out of their range, and warns of parameters that do not exist."""
+"""standalone_move_base refuses numbers out of their range, and warns of parameters that do not exist and of a missing clock."""
 import os
 import subprocess
 import sys
@@ -55,6 +55,14 @@ class StandaloneParameters(unittest.TestCase):
     def test_a_misspelt_one_is_warned_of_with_the_nearest_name(self):
         self.start("misspelt", {"planer_patience": 8.0})
         sentence = "planer_patience %s; the nearest is planner_patience" % UNKNOWN
+        self.assertTrue(eventually(lambda: sentence in self.said(), 30.0), self.said())
+
+    def test_without_a_clock_it_says_why_nothing_happens(self):
+        master = rosgraph.Master("/standalone_parameters")
+        master.setParam("/use_sim_time", True)
+        self.addCleanup(master.deleteParam, "/use_sim_time")
+        self.start("timeless", {})
+        sentence = "there is no time: /use_sim_time is true, but nobody publishes /clock"
         self.assertTrue(eventually(lambda: sentence in self.said(), 30.0), self.said())
 
     def test_nobody_is_warned_of_what_the_launch_file_sets(self):

@@ -5,6 +5,8 @@
 #include <csignal>
 #include <exception>
 
+#include "ros/common/clock_watch.hpp"
+
 namespace lstm_planner {
 
 /// What a node's main() is: calls run(private node handle) and returns its exit status. 1 where an exception ends it,
@@ -13,6 +15,7 @@ template <typename Run>
 int runNode(int argc, char** argv, const char* name, const Run& run, unsigned options = 0) {
   ros::init(argc, argv, name, options);
   ros::NodeHandle private_node("~");  // out here, since nothing is logged any more when the last one has gone
+  const ClockWatch clock_watch;
   try {
     return run(private_node);
   } catch (const std::exception& error) {

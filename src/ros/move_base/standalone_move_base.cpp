@@ -23,6 +23,7 @@
 #include "lstm_planner/drive/decision/arrival.hpp"
 #include "lstm_planner/ros/common/transform_listener.hpp"
 #include "lstm_planner/ros/move_base/standalone_move_base_parameters.hpp"
+#include "ros/common/clock_watch.hpp"
 #include "ros/common/timing.hpp"
 #include "ros/move_base/standalone_move_base_planner_thread.hpp"
 #include "ros/move_base/standalone_move_base_plugins.hpp"
@@ -405,6 +406,7 @@ bool StandaloneMoveBase::planWithinTolerance(const geometry_msgs::PoseStamped& s
 int main(int argc, char** argv) {
   ros::init(argc, argv, "move_base");
   const ros::NodeHandle node_handle;  // out here, since nothing is logged any more when the last one has gone
+  const lstm_planner::ClockWatch clock_watch;
   try {
     tf2_ros::Buffer transforms;
     const lstm_planner::TransformListener listener(&transforms);
