@@ -4,7 +4,7 @@
   python3 models/robot_table.py lstm            trains and judges the row, adds it to the results, and prints it
   python3 models/robot_table.py --print         prints the table of all results that there are
 
-Every row is trained alike and shortly, with three seeds: imitation, then actor-critic. It is judged alone, without rescue,
+Every row is trained alike and shortly, with three seeds: imitation, then actor-critic. It is judged alone, without boundary following,
 by `lstm_planner judge` in worlds that no training saw, the same ones for all rows. Needs lstm_planner on the path."""
 import argparse
 import json

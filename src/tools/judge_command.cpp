@@ -46,9 +46,10 @@ void check(const JudgeOptions& options) {
 bool readOptions(const std::vector<std::string>& arguments, JudgeOptions* options) {
   JudgeOptions& o = *options;
   o.course.shortest = 5.0;
-  CommandLine line("judge",
-                   "prints how well a leader of the robot does alone: no rescue, four drives per world, random "
-                   "conditions of sensors, wheels and speed, in worlds that were not used in training");
+  CommandLine line(
+      "judge",
+      "prints how well a leader of the robot does alone: no boundary following, four drives per world, random "
+      "conditions of sensors, wheels and speed, in worlds that were not used in training");
   line.addFile("model", &o.model, "ONNX file, if the network leads");
   line.addChoice("leader", &o.leader, {"network", "route", "none"}, "who leads: network, route or none");
   addWorldKinds(&o.course.worlds, &line);

@@ -27,7 +27,7 @@ LEAST_ACCURACY = 88.0  # %, on the validation set
 LEAST_BALANCED_ACCURACY = 50.0  # %, the mean over the five labels; a network that looks at nothing has 20
 GOALS = 3
 LEAST_REACHED = 3
-# % of the drives that the network ends alone, without the rescue. What the node records differs a little from run to run.
+# % of the drives that the network ends alone, without boundary following. What the node records differs a little from run to run.
 # With 14 other seeds of the driver (dataset simulate --seed) it was 68 % on average, with a standard deviation of 5 %;
 # this is almost 5 of them below. One run of this test had 49 %.
 LEAST_ALONE = 44.0
@@ -117,7 +117,7 @@ class LearningFromPeople(unittest.TestCase):
         return map(float, re.search(r"wrote .*: accuracy ([0-9.]+) %, balanced ([0-9.]+) %", printed).groups())
 
     def share_alone(self, model):
-        """How many drives end without the rescue, %, in offices and rooms that nobody drove in."""
+        """How many drives end without boundary following, %, in offices and rooms that nobody drove in."""
         tool("judge", "--model", self.path(model), "--kinds", "offices", "rooms", "--worlds", "40", "--json",
              self.path("judged.json"))
         with open(self.path("judged.json"), encoding="utf-8") as judged:

@@ -30,7 +30,7 @@ PracticeConditions usualConditions();
 /// deep neural networks from simulation to the real world", IROS 2017).
 PracticeConditions drawConditions(Random& random);
 
-/// The agent that practises: network and shield, without rescue or memory of obstacles.
+/// The agent that practises: network and shield, without boundary following or memory of obstacles.
 AgentParameters practiceAgent(const PolicyDescription& policy);
 
 /// An agent with these parameters for a robot of the radius that practises (kPracticeRadius), and with a random step

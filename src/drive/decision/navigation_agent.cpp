@@ -288,7 +288,7 @@ double NavigationAgent::previousAction() const {
   if (!clock_.hasStep()) {
     return 0.0;
   }
-  // The rescue's paths lie between the steering angles: tell the network the nearest one, as the recorder would.
+  // Remembered paths lie between the steering angles: tell the network the nearest one, as the recorder would.
   return actions.angle(decision_.action >= 0
                            ? decision_.action
                            : actions.nearest(normalizeAngle(decision_.direction - clock_.pose().yaw)));

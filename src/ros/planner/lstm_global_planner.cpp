@@ -151,12 +151,12 @@ void LstmGlobalPlanner::describeState(PluginDiagnostics::Status* status) const {
     status->summary(is_final ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN, "no plan");
     status->add("why", answer_.refusal);
   } else {
-    const bool is_rescue = decision.leader == Leader::kEscape;
+    const bool follows_boundary = decision.leader == Leader::kEscape;
     // Why it leads is of the step with which it began to.
     const bool is_reachable = decision.goal_seems == Decision::GoalSeems::kReachable;
     const std::string why =
         is_reachable ? decision.why : std::string("the goal seems ") + toString(decision.goal_seems);
-    status->summary(is_rescue ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
+    status->summary(follows_boundary ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
                     std::string("the ") + toString(decision.leader) + " leads: " + why);
   }
 }

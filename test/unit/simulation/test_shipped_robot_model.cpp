@@ -17,7 +17,7 @@ struct Score {
   double efficiency = 0.0;
 };
 
-/// Alone: no rescue, no memory of obstacles. 40 drives in worlds of a kind that no training saw.
+/// Alone: no boundary following, no memory of obstacles. 40 drives in worlds of a kind that no training saw.
 Score scoreOf(const DrivePolicy& policy, WorldKind kind, Leader leader = Leader::kNetwork) {
   constexpr int kWorlds = 10;
   constexpr int kMostSteps = 600;

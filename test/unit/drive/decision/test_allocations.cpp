@@ -98,7 +98,7 @@ LaserScan asOf683Beams(const LaserScan& scan) {
   return sparse;
 }
 
-/// Bytes of the heap that an agent without the rescue holds: weights, hidden states, encoder, trace, shield and
+/// Bytes of the heap that an agent without boundary following holds: weights, hidden states, encoder, trace, shield and
 /// boundary following; not the scan it is shown, nor the plan, nor what is set up once in a process to read model
 /// files.
 long heldWithoutRescue(const RecordedDrive& drive, const LaserScan& scan) {

@@ -14,7 +14,7 @@ using test::situationAt;
 
 constexpr int kStraight = 2;
 
-/// A network that leads without rescue and without a memory of obstacles.
+/// A network that leads without boundary following and without a memory of obstacles.
 class NetworkAloneTest : public ::testing::Test {
  protected:
   NetworkAloneTest() {
