@@ -328,7 +328,7 @@ TEST_F(PlannerTest, ModelForASmallerRobotIsUsedWithAWarning) {
   ros::param::set("~/LstmGlobalPlanner/shield/footprint_radius", 0.5);
   EXPECT_NE(makePlanner(), nullptr);
   log_.flush();
-  EXPECT_EQ(log_.count("shield/footprint_radius is 0.500000 m"), 1);
+  EXPECT_EQ(log_.count("this robot's is 0.500000 m"), 1);
 }
 
 TEST_F(PlannerTest, ARobotOfAnotherSizeNeedsNoOtherMemory) {

@@ -170,8 +170,9 @@ std::string sizeWarning(const PolicyDescription& description, double footprint_r
   const bool has_smallest = description.smallest_radius > 0.0;
   return "the network was tried with robots of radius " +
          (has_smallest ? std::to_string(description.smallest_radius) + " to " : "up to ") + std::to_string(largest) +
-         " m, shield/footprint_radius is " + std::to_string(footprint_radius) +
-         " m: it may lead worse, and the path through the remembered obstacles leads more often; leader: route is made "
+         " m, this robot's is " + std::to_string(footprint_radius) +
+         " m (half of the width that it passes): it may lead worse, and the path through the remembered obstacles "
+         "leads more often; leader: route is made "
          "for any size";
 }
 
