@@ -218,8 +218,9 @@ class LaunchFiles(unittest.TestCase):
         config = load("record_dataset.launch", "teleop:=none", "rviz:=false", "output:=/o.sqlite", "scan:=base_scan",
                       "odom:=odometry/filtered", "seed:=7")
         self.assertEqual(self.parameter(config, "/dataset_recorder/output"), "/o.sqlite")
-        self.assertEqual(self.parameter(config, "/dataset_recorder/scan_topic"), "base_scan")
-        self.assertEqual(self.parameter(config, "/dataset_recorder/odom_topic"), "odometry/filtered")
+        self.assertEqual(self.parameter(config, "/dataset_recorder/LstmGlobalPlanner/scan_topic"), "base_scan")
+        self.assertEqual(self.parameter(config, "/dataset_recorder/LstmGlobalPlanner/odom_topic"),
+                         "odometry/filtered")
         self.assertEqual(self.parameter(config, "/dataset_recorder/seed"), 7)
         self.assertEqual(self.parameter(config, "/dataset_recorder/waypoints"), [])
         self.check(config)
@@ -241,8 +242,10 @@ class LaunchFiles(unittest.TestCase):
 
     def test_recording_leaves_a_robot_alone_that_runs_already(self):
         config = load("record_dataset.launch", "teleop:=none", "rviz:=false", "base:=false", "laser:=false",
-                      "tf:=false")
+                      "tf:=false", "robot:=jackal")
         self.assertEqual({node.type for node in config.nodes}, {"dataset_recorder"})
+        self.assertEqual(self.parameter(config, "/dataset_recorder/LstmGlobalPlanner/scan_topic"), "front/scan")
+        self.check(config)
 
     def test_advice_takes_the_place_of_the_recorder_beside_the_same_robot_and_driver(self):
         config = load("advice.launch", "teleop:=scripted", "rviz:=true", "map:=/m.yaml", "model:=/m.onnx",
@@ -277,7 +280,7 @@ class LaunchFiles(unittest.TestCase):
 
     def test_a_replay_hands_its_arguments_on_and_decides_as_the_planner(self):
         config = load("replay.launch", "bag:=/drive.bag", "rviz:=true", "rate:=0", "model:=/m.onnx",
-                      "mount:=[0.1, 0.0, 0.5]", "hindsight:=true", "goal_topic:=/goal")
+                      "mount:=[0.1, 0.0, 0.5]", "hindsight:=true", "goal_topic:=/goal", "robot:=turtlebot3_burger")
         self.check(config)
         self.assertEqual(self.parameter(config, "/bag_replay/bag"), "/drive.bag")
         self.assertEqual(self.parameter(config, "/bag_replay/rate"), 0)
@@ -287,6 +290,7 @@ class LaunchFiles(unittest.TestCase):
         self.assertTrue(self.parameter(config, "/bag_replay/hindsight"))
         self.assertTrue(self.parameter(config, "/bag_replay/stay"))
         self.assertEqual(self.parameter(config, "/bag_replay/LstmGlobalPlanner/step/length"), 0.4)
+        self.assertEqual(self.parameter(config, "/bag_replay/LstmGlobalPlanner/shield/footprint_radius"), 0.149)
         self.assertTrue(self.parameter(config, "/use_sim_time"))
 
 

@@ -101,6 +101,21 @@ TEST(ShippedParameters, AHalfWidthOfATenthOfAMetreIsTakenByAllThree) {
   EXPECT_EQ(loadSteeringControllerParameters(node).footprint, square);
 }
 
+TEST(ShippedParameters, TheRecorderTakesTheRobotFromItsFile) {
+  const ros::NodeHandle node("~/RecordedRobot");
+  node.setParam("scan_topic", "scan");
+  node.setParam("LstmGlobalPlanner/scan_topic", "front/scan");
+  node.setParam("LstmGlobalPlanner/no_return", "nan");
+  node.setParam("LstmGlobalPlanner/shield/footprint", "[[0.3, 0.2], [0.3, -0.2], [-0.3, -0.2], [-0.3, 0.2]]");
+  node.setParam("LstmGlobalPlanner/goal_tolerance", 0.1);  // where the planner stops; drivers are less exact
+  node.setParam("SteeringController/max_linear", 2.0);
+  const RecorderNodeParameters parameters = loadRecorderNodeParameters(node);
+  EXPECT_EQ(parameters.scan_topic, "front/scan");
+  EXPECT_TRUE(parameters.recorder.scan_rules.nan_is_no_return);
+  EXPECT_DOUBLE_EQ(parameters.recorder.agent.shield.footprint_radius, 0.2) << "what it passes";
+  EXPECT_DOUBLE_EQ(parameters.recorder.goal_tolerance, RecorderParameters().goal_tolerance);
+}
+
 TEST(ShippedParameters, AMisspeltOneIsWarnedOfWithTheNearestName) {
   const ros::NodeHandle node("~/Misspelt");
   node.setParam("step/lenght", 0.5);

@@ -51,8 +51,8 @@ void visitRecorderParameters(Parameters& recorder, const Visitor& visit) {
   visit("action_angles", recorder.action_angles, {}, "rad", "the possible labels of a step");
   visitScanRules(recorder.scan_rules, visit);
   visitAgentParameters(recorder.agent,
-                       onlyNamed({"step/length", "shield/footprint_radius", "goal_drift", "memory/enabled",
-                                  "memory/width", "memory/resolution", "memory/reach"},
+                       onlyNamed({"step/length", "shield/footprint_radius", "shield/footprint", "goal_drift",
+                                  "memory/enabled", "memory/width", "memory/resolution", "memory/reach"},
                                  visit));
 }
 

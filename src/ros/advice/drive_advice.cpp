@@ -151,11 +151,7 @@ DriveAdviceParameters loadDriveAdviceParameters(const ros::NodeHandle& private_n
   DriveAdviceParameters parameters;
   ParameterReader reader(private_node);
   visitDriveAdviceParameters(parameters, reader.visitor());
-  // A robot's file (config/robots) is for move_base and the simulation, too.
-  for (const char* group :
-       {"LstmGlobalPlanner", "SteeringController", "global_costmap", "local_costmap", "create2_stub"}) {
-    reader.knowGroup(group);
-  }
+  knowRobotFile(&reader);
   reader.warnOfUnknown();
   visitDriveAdviceParameters(std::as_const(parameters), RangeCheck());
   parameters.planner = loadGlobalPlannerParameters(ros::NodeHandle(private_node, "LstmGlobalPlanner"));

@@ -10,11 +10,28 @@
 
 namespace lstm_planner {
 
+namespace {
+
+/// What a robot's file tells the planner of the robot and its sensors.
+void readRobotFile(const ros::NodeHandle& node_handle, RecorderNodeParameters* parameters) {
+  ParameterReader reader(ros::NodeHandle(node_handle, "LstmGlobalPlanner"));
+  const auto read = reader.visitor();
+  visitRecorderNodeParameters(
+      *parameters, onlyNamed({"scan_topic", "odom_topic", "max_speed", "no_return", "least_measured", "step/length",
+                              "shield/footprint_radius", "shield/footprint", "goal_drift", "memory/enabled",
+                              "memory/width", "memory/resolution", "memory/reach"},
+                             read));
+}
+
+}  // namespace
+
 RecorderNodeParameters loadRecorderNodeParameters(const ros::NodeHandle& node_handle) {
   RecorderNodeParameters parameters;
   ParameterReader reader(node_handle);
   visitRecorderNodeParameters(parameters, reader.visitor());
+  knowRobotFile(&reader);
   reader.warnOfUnknown();
+  readRobotFile(node_handle, &parameters);
 
   visitRecorderNodeParameters(std::as_const(parameters), RangeCheck());
   parameters.recorder.agent = fittedToFootprint(parameters.recorder.agent);

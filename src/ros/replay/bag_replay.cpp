@@ -296,7 +296,7 @@ BagReplayParameters loadBagReplayParameters(const ros::NodeHandle& private_node)
   if (readPose(private_node, "mount", &mount.pose)) {
     parameters.drive.mount = mount;
   }
-  reader.knowGroup("LstmGlobalPlanner");
+  knowRobotFile(&reader);
   reader.warnOfUnknown();
   parameters.planner = loadGlobalPlannerParameters(ros::NodeHandle(private_node, "LstmGlobalPlanner"));
   if (parameters.bag.empty()) {

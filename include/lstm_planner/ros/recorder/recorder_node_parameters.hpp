@@ -39,8 +39,9 @@ void visitRecorderNodeParameters(Parameters& node, const Visitor& visit) {
   visitRecorderParameters(node.recorder, visit);
 }
 
-/// Reads the namespace of `node_handle`, warns of parameters there that are not known, and throws std::invalid_argument
-/// naming the parameter, its value and what was expected.
+/// Reads the namespace of `node_handle`, then what a robot's file there (config/robots) has in its group
+/// LstmGlobalPlanner under the same names, which counts. Warns of parameters that are not known, and throws
+/// std::invalid_argument naming the parameter, its value and what was expected.
 RecorderNodeParameters loadRecorderNodeParameters(const ros::NodeHandle& node_handle);
 
 /// The file that `output` means at a time: ~/ is the user's home, package://NAME/ a package's folder, and %Y and the
