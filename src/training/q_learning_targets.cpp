@@ -13,7 +13,6 @@ std::vector<double> lambdaTargets(const std::vector<QTransition>& steps, double 
     // What came of a move that was not the best says nothing about what the best one is worth.
     const double trust = step.greedy && !step.timed_out ? trace_decay : 0.0;
     following = step.value + trust * (targets[index] - step.value);
-    if (step.forced && !step.timed_out) following = targets[index];
   }
   return targets;
 }

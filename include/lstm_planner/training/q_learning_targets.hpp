@@ -11,7 +11,6 @@ struct QTransition {
   double reward = 0.0;
   double value = 0.0;   ///< max over a of Q(s, a) by the target network
   bool greedy = false;  ///< whether the move was the best by the network that learns
-  bool forced = false;  ///< there was nothing to choose
   bool arrived = false;
   bool timed_out = false;  ///< the episode was cut off after this step
 };
@@ -19,8 +18,6 @@ struct QTransition {
 /// What the estimates of consecutive steps should have been: r + gamma max_a' Q(s', a') for trace_decay 0 (Eq. 2.38),
 /// for others Watkins's Q(lambda). Of the last of `steps`, which only says what the state after the others is worth,
 /// nothing but the value counts; it gets no target.
-///
-/// A state in which there was nothing to choose is worth what came of it.
 ///
 /// Where an episode was cut off, the state after is unknown: the target is the estimate, so that nothing is learned.
 std::vector<double> lambdaTargets(const std::vector<QTransition>& steps, double discount, double trace_decay);

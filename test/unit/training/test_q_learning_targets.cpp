@@ -51,14 +51,6 @@ TEST(QTargets, LearnNothingFromTheStepAtWhichAnEpisodeIsCutOff) {
   EXPECT_DOUBLE_EQ(targets[0], 1.0 + 0.5 * 4.0);
 }
 
-TEST(QTargets, ValueAStateWithoutAChoiceByWhatCameOfIt) {
-  std::vector<QTransition> steps = twoSteps();
-  steps[1].forced = true;
-  EXPECT_DOUBLE_EQ(lambdaTargets(steps, 0.5, 0.0)[0], 1.0 + 0.5 * (-0.5 + 0.5 * 6.0));
-  steps[1].timed_out = true;
-  EXPECT_DOUBLE_EQ(lambdaTargets(steps, 0.5, 0.0)[0], 1.0 + 0.5 * 4.0) << "unknown";
-}
-
 TEST(QTargets, ExplorationSinksLinearlyAndStaysThere) {
   EXPECT_DOUBLE_EQ(explorationAt(0.0, 1.0, 0.2, 0.5), 1.0);
   EXPECT_DOUBLE_EQ(explorationAt(0.25, 1.0, 0.2, 0.5), 0.6);
