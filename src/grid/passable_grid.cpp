@@ -6,8 +6,6 @@
 namespace lstm_planner {
 namespace {
 
-int before(int direction) { return (direction + kGridMoveCount - 1) % kGridMoveCount; }
-int after(int direction) { return (direction + 1) % kGridMoveCount; }
 bool isDiagonal(int direction) { return direction % 2 != 0; }
 
 }  // namespace
@@ -23,14 +21,15 @@ PassableGrid::PassableGrid(int columns, int rows, bool passable) : columns_(colu
 bool movePossible(const PassableGrid& grid, CellIndex cell, int direction, CornerCutting corner_cutting) {
   if (!grid.passable(cellBeside(cell, direction))) return false;
   if (!isDiagonal(direction) || corner_cutting == CornerCutting::kAllowed) return true;
-  return grid.passable(cellBeside(cell, before(direction))) && grid.passable(cellBeside(cell, after(direction)));
+  return grid.passable(cellBeside(cell, turned(direction, -1))) &&
+         grid.passable(cellBeside(cell, turned(direction, 1)));
 }
 
 bool movePossible(const GridRanges& ranges, int direction, CornerCutting corner_cutting) {
   const auto isFree = [&](int beside) { return ranges[static_cast<std::size_t>(beside)] > 1; };
   if (!isFree(direction)) return false;
   if (!isDiagonal(direction) || corner_cutting == CornerCutting::kAllowed) return true;
-  return isFree(before(direction)) && isFree(after(direction));
+  return isFree(turned(direction, -1)) && isFree(turned(direction, 1));
 }
 
 }  // namespace lstm_planner

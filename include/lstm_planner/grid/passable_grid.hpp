@@ -52,9 +52,14 @@ constexpr int kGridMoveCount = kGridRayCount;
 inline bool operator==(CellIndex a, CellIndex b) { return a.column == b.column && a.row == b.row; }
 inline bool operator!=(CellIndex a, CellIndex b) { return !(a == b); }
 
+/// The cell so many steps ahead in a direction.
+inline CellIndex alongRay(CellIndex cell, std::size_t direction, int steps) {
+  const CellIndex step = kGridRaySteps[direction];
+  return {cell.column + steps * step.column, cell.row + steps * step.row};
+}
+
 inline CellIndex cellBeside(CellIndex cell, int direction) {
-  const CellIndex step = kGridRaySteps[static_cast<std::size_t>(direction)];
-  return {cell.column + step.column, cell.row + step.row};
+  return alongRay(cell, static_cast<std::size_t>(direction), 1);
 }
 
 /// Length of a move, 1 or sqrt(2), cells.

@@ -9,11 +9,7 @@ namespace {
 int directionTo(int columns, int rows) {
   const int column = (columns > 0) - (columns < 0);
   const int row = (rows > 0) - (rows < 0);
-  for (int direction = 0; direction < kGridMoveCount; ++direction) {
-    const CellIndex step = kGridRaySteps[static_cast<std::size_t>(direction)];
-    if (step.column == column && step.row == row) return direction;
-  }
-  return 0;
+  return rayBetween({0, 0}, {column, row});
 }
 
 BoundaryStep turnInPlace(BoundaryEdge edge, int travel) {

@@ -113,10 +113,9 @@ void BoundaryTrail::shorten(int end, const GridObservation& observation) {
       return;
     }
     for (std::size_t direction = 0; direction < kGridRayCount; ++direction) {
-      const CellIndex ray = kGridRaySteps[direction];
-      const int steps = stepsToMeet(cell, ray, reach[direction], a, b);
+      const int steps = stepsToMeet(cell, kGridRaySteps[direction], reach[direction], a, b);
       if (steps == 0) continue;
-      const CellIndex met = {cell.column + steps * ray.column, cell.row + steps * ray.row};
+      const CellIndex met = alongRay(cell, direction, steps);
       count = i + 1;
       if (met != a) push(end, met);
       return;

@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "grid_world/agent/along_ray.hpp"
-
 namespace lstm_planner {
 namespace {
 

@@ -1,7 +1,5 @@
 #include "lstm_planner/grid_world/agent/seen_grid.hpp"
 
-#include "grid_world/agent/along_ray.hpp"
-
 namespace lstm_planner {
 
 void SeenGrid::restart(CellIndex agent) {
