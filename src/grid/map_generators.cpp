@@ -10,10 +10,12 @@
 namespace lstm_planner {
 namespace {
 
-/// Blocks exactly `count` cells of an open grid, every set of them equally likely (Knuth, volume 2, algorithm S).
-PassableGrid blockAtRandom(int columns, int rows, std::size_t count, Random& random) {
+/// Blocks exactly that share of an open grid, rounded down to whole cells, every set of them equally likely (Knuth,
+/// volume 2, algorithm S).
+PassableGrid blockAtRandom(int columns, int rows, double share, Random& random) {
   PassableGrid grid(columns, rows, true);
   std::size_t left = grid.size();
+  auto count = static_cast<std::size_t>(share * static_cast<double>(left));
   for (CellIndex cell; cell.row < rows; ++cell.row) {
     for (cell.column = 0; cell.column < columns; ++cell.column, --left) {
       if (uniformIndex(random, left) >= count) continue;
@@ -22,11 +24,6 @@ PassableGrid blockAtRandom(int columns, int rows, std::size_t count, Random& ran
     }
   }
   return grid;
-}
-
-PassableGrid blockAtRandom(int columns, int rows, double share, Random& random) {
-  return blockAtRandom(columns, rows,
-                       static_cast<std::size_t>(share * static_cast<double>(std::int64_t{columns} * rows)), random);
 }
 
 /// Passable cells are 1, others 0.
@@ -49,8 +46,6 @@ PassableGrid smoothed(const PassableGrid& grid) {
   }
   return result;
 }
-
-bool anyPassable(const PassableGrid& grid) { return cv::countNonZero(imageOf(grid)) > 0; }
 
 /// Squares of equal size in rows and columns with walls of one cell before and between them; the last ones are cut
 /// where the map ends.
@@ -162,7 +157,6 @@ void checkMapSize(int columns, int rows, int shortest) {
 /// Blocks every cell that is not of the largest region. Regions are connected by sides: without corner cutting a
 /// diagonal move needs both cells at its side, and so reaches nothing more.
 void keepLargestRegion(PassableGrid* grid) {
-  constexpr int kSides = 4;
   cv::Mat1i labels;
   cv::Mat1i regions;
   cv::Mat1d centers;
@@ -215,7 +209,7 @@ PassableGrid generateCaves(const CaveParameters& parameters, std::uint64_t seed)
   for (int draw = 0; draw < kMostDraws; ++draw) {
     PassableGrid grid = blockAtRandom(parameters.columns, parameters.rows, parameters.share, random);
     for (int round = 0; round < parameters.rounds; ++round) grid = smoothed(grid);
-    if (!anyPassable(grid)) continue;
+    if (cv::countNonZero(imageOf(grid)) == 0) continue;
     keepLargestRegion(&grid);
     return grid;
   }
