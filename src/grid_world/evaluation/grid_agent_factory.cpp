@@ -9,6 +9,7 @@
 #include "grid_world/agent/boundary_agent.hpp"
 #include "grid_world/agent/d_star_agent.hpp"
 #include "grid_world/agent/rolling_escape_agent.hpp"
+#include "lstm_planner/common/words.hpp"
 #include "lstm_planner/grid_world/agent/greedy_agent.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/network/model_file.hpp"
@@ -17,12 +18,6 @@ namespace lstm_planner {
 namespace {
 
 const char* const kNetworkNames[] = {"lstm", "rnn", "mlp", "qlearning", "network"};
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
 
 GridAgentMaker aStarMaker(const GridAgentOptions& options) {
   checkHeuristic(options.heuristic);
@@ -106,7 +101,7 @@ GridAgentMaker gridAgentMaker(const GridAgentOptions& options) {
   if (options.agent == "greedy") return greedyMaker(options);
   if (options.agent == "boundary") return boundaryMaker(options);
   if (isNetworkAgent(options.agent)) return networkMaker(options);
-  throw std::invalid_argument("there is no agent '" + options.agent + "', expected one of " + listed(gridAgentNames()));
+  throw std::invalid_argument("there is no agent '" + options.agent + "', expected one of " + joined(gridAgentNames()));
 }
 
 }  // namespace lstm_planner

@@ -1,7 +1,8 @@
 #include "lstm_planner/grid_world/evaluation/grid_gallery.hpp"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "lstm_planner/common/text_table.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -11,12 +12,6 @@ std::vector<std::size_t> arrivalsByRatio(const std::vector<GridEpisode>& episode
   std::stable_sort(arrived.begin(), arrived.end(),
                    [&](std::size_t a, std::size_t b) { return episodes[a].ratio() < episodes[b].ratio(); });
   return arrived;
-}
-
-std::string withOneDecimal(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.1f", value);
-  return text;
 }
 
 }  // namespace
@@ -41,7 +36,7 @@ GridPicture pictureOfTask(const GridTaskSet& set, std::size_t task, const std::v
   const PassableGrid& grid = set.maps[given.map];
   const RangeTable ranges(grid);
   GridPicture picture;
-  picture.title = set.name + ", " + set.map_names[given.map] + ": optimum " + withOneDecimal(given.optimal_length);
+  picture.title = set.name + ", " + set.map_names[given.map] + ": optimum " + fixedText(given.optimal_length, 1);
   picture.start = given.start;
   picture.goal = given.goal;
   for (const NamedGridAgent& agent : agents) {
@@ -49,7 +44,7 @@ GridPicture pictureOfTask(const GridTaskSet& set, std::size_t task, const std::v
     const GridEpisode episode =
         runGridEpisode(grid, ranges, given.start, given.goal, rules, agent.make(grid).get(), &path.cells);
     path.arrived = episode.end == GridEpisode::End::kArrived;
-    path.label = agent.name + ": " + toString(episode.end) + " after " + withOneDecimal(episode.length());
+    path.label = agent.name + ": " + toString(episode.end) + " after " + fixedText(episode.length(), 1);
     picture.paths.push_back(path);
   }
   return picture;
