@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lstm_planner/common/words.hpp"
 #include "lstm_planner/network/model_file.hpp"
 #include "network/onnx_folding.hpp"
 #include "network/onnx_layers.hpp"
@@ -78,8 +79,7 @@ std::string GraphReader::unknownOperators() const {
     unknown.insert(quoted(node.op_type()) + (is_standard ? "" : " of the domain " + quoted(node.domain())));
   }
   if (unknown.empty()) return "";
-  std::string listed;
-  for (const std::string& name : unknown) listed += (listed.empty() ? "" : ", ") + name;
+  const std::string listed = joined({unknown.begin(), unknown.end()});
   return (unknown.size() == 1 ? "the operator " + listed + " is" : "the operators " + listed + " are") +
          " not known to the planner, expected LSTM, RNN, Gemm, MatMul with Add, Relu, Tanh, Sigmoid, Softmax or one "
          "that "
@@ -123,12 +123,11 @@ const GraphReader::Value& GraphReader::valueNamed(const std::string& name, const
 }
 
 void GraphReader::readNode(const onnx_subset::NodeProto& proto) {
+  Node node(proto, constants_);
   if (isConstant(proto)) {
-    Node node(proto, constants_);
     fold(node);
     return node.finish();
   }
-  Node node(proto, constants_);
   const auto found = operators().find(proto.op_type());
   if (found == operators().end()) {
     throw ModelFileError(node.name() + " computes something, expected it to change or make constants only");

@@ -48,8 +48,8 @@ GateWeights gateWeights(Node& node, std::int64_t gates, std::int64_t inputs) {
   requireShape(node, recurrent, {1, gates * units, units}, "recurrent weights");
   requireShape(node, input, {1, gates * units, inputs}, "input weights");
   node.requireInteger("hidden_size", units);
-  return {rowMajorMatrix(floatValues(input), 0, gates * units, inputs),
-          rowMajorMatrix(floatValues(recurrent), 0, gates * units, units), summedBias(node, gates * units)};
+  return {rowMajorMatrix(floatValues(input), gates * units, inputs),
+          rowMajorMatrix(floatValues(recurrent), gates * units, units), summedBias(node, gates * units)};
 }
 
 std::string listText(const std::vector<std::string>& names) {
@@ -89,36 +89,26 @@ DenseLayer denseLayer(Node& node, std::int64_t inputs) {
   node.requireReal("alpha", 1.0f);
   node.requireReal("beta", 1.0f);
   node.requireInteger("transA", 0);
-  const bool transposed = node.integer("transB", 0) != 0;
+  DenseLayer layer = productLayer(node, inputs, node.integer("transB", 0) != 0);
+  const std::int64_t outputs = layer.weights.rows();
+  if (const TensorProto* bias = node.constant(2, "biases")) {
+    requireShape(node, *bias, bias->dims_size() == 1 ? Shape{outputs} : Shape{1, outputs}, "biases");
+    layer.bias = rowMajorMatrix(floatValues(*bias), outputs, 1);
+  }
+  return layer;
+}
 
+DenseLayer productLayer(const Node& node, std::int64_t inputs, bool transposed) {
   const TensorProto& weights = node.requiredConstant(1, "weights");
   const Shape shape = shapeOf(weights);
   if (shape.size() != 2 || shape[transposed ? 1 : 0] != inputs) {
     throw ModelFileError(node.name() + " has weights of the shape " + shapeText(shape) + ", expected two axes and " +
                          std::to_string(inputs) + " inputs");
   }
-  const std::int64_t outputs = shape[transposed ? 0 : 1];
   DenseLayer layer;
-  layer.weights = rowMajorMatrix(floatValues(weights), 0, shape[0], shape[1]);
+  layer.weights = rowMajorMatrix(floatValues(weights), shape[0], shape[1]);
   if (!transposed) layer.weights.transposeInPlace();
-  layer.bias = Eigen::VectorXf::Zero(outputs);
-  if (const TensorProto* bias = node.constant(2, "biases")) {
-    requireShape(node, *bias, bias->dims_size() == 1 ? Shape{outputs} : Shape{1, outputs}, "biases");
-    layer.bias = rowMajorMatrix(floatValues(*bias), 0, outputs, 1);
-  }
-  return layer;
-}
-
-DenseLayer productLayer(Node& node, std::int64_t inputs) {
-  const TensorProto& weights = node.requiredConstant(1, "weights");
-  const Shape shape = shapeOf(weights);
-  if (shape.size() != 2 || shape[0] != inputs) {
-    throw ModelFileError(node.name() + " has weights of the shape " + shapeText(shape) + ", expected two axes and " +
-                         std::to_string(inputs) + " inputs");
-  }
-  DenseLayer layer;
-  layer.weights = rowMajorMatrix(floatValues(weights), 0, shape[0], shape[1]).transpose();
-  layer.bias = Eigen::VectorXf::Zero(shape[1]);
+  layer.bias = Eigen::VectorXf::Zero(layer.weights.rows());
   return layer;
 }
 
@@ -129,7 +119,7 @@ Eigen::VectorXf biases(const Node& node, int index, std::int64_t outputs) {
     throw ModelFileError(node.name() + " has biases of the shape " + shapeText(shape) + ", expected " +
                          std::to_string(outputs) + " along the last axis");
   }
-  return rowMajorMatrix(floatValues(bias), 0, outputs, 1);
+  return rowMajorMatrix(floatValues(bias), outputs, 1);
 }
 
 }  // namespace lstm_planner::onnx

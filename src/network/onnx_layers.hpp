@@ -10,8 +10,8 @@ namespace lstm_planner::onnx {
 LstmLayer lstmLayer(Node& node, std::int64_t inputs);
 RecurrentLayer recurrentLayer(Node& node, std::int64_t inputs);
 DenseLayer denseLayer(Node& node, std::int64_t inputs);
-/// Of a MatMul, which has no biases.
-DenseLayer productLayer(Node& node, std::int64_t inputs);
+/// Of a MatMul, which has no biases, or of a Gemm before them. `transposed`: an output's weights lie in a row.
+DenseLayer productLayer(const Node& node, std::int64_t inputs, bool transposed = false);
 
 /// The constant at an input of an Add, which may have any number of axes.
 Eigen::VectorXf biases(const Node& node, int index, std::int64_t outputs);

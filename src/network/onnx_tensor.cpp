@@ -98,10 +98,9 @@ std::vector<std::int64_t> integerValues(const TensorProto& tensor) {
   return storedValues<std::int64_t>(tensor, tensor.int64_data(), kInt64, "int64");
 }
 
-Eigen::MatrixXf rowMajorMatrix(const std::vector<float>& values, std::size_t first, Eigen::Index rows,
-                               Eigen::Index columns) {
+Eigen::MatrixXf rowMajorMatrix(const std::vector<float>& values, Eigen::Index rows, Eigen::Index columns) {
   using RowMajor = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  return Eigen::Map<const RowMajor>(values.data() + first, rows, columns);
+  return Eigen::Map<const RowMajor>(values.data(), rows, columns);
 }
 
 }  // namespace lstm_planner::onnx

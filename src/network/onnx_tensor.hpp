@@ -32,8 +32,7 @@ std::vector<float> floatValues(const onnx_subset::TensorProto& tensor);
 /// All values of an int64 or int32 tensor (axes, a target shape); the same rules.
 std::vector<std::int64_t> integerValues(const onnx_subset::TensorProto& tensor);
 
-/// Values `first` to `first + rows * columns` as a matrix.
-Eigen::MatrixXf rowMajorMatrix(const std::vector<float>& values, std::size_t first, Eigen::Index rows,
-                               Eigen::Index columns);
+/// The first rows * columns values as a matrix.
+Eigen::MatrixXf rowMajorMatrix(const std::vector<float>& values, Eigen::Index rows, Eigen::Index columns);
 
 }  // namespace lstm_planner::onnx
