@@ -7,10 +7,7 @@
 namespace lstm_planner {
 namespace {
 
-std::size_t wholeLines(std::size_t floats) {
-  constexpr std::size_t kLine = sizeof(CacheLine) / sizeof(float);
-  return (floats + kLine - 1) / kLine * kLine;
-}
+std::size_t wholeLines(std::size_t floats) { return (floats + kFloatsALine - 1) / kFloatsALine * kFloatsALine; }
 
 std::vector<LayerMatrices> allMatrices(const LayerStack& layers, InstructionSet set) {
   validateLayers(layers);
