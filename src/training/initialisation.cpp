@@ -60,8 +60,12 @@ void requireLayersOf(const NetworkShape& shape) {
   }
 }
 
-DenseLayer zeroDenseLayer(int inputs, int units, Activation activation) {
-  return {Eigen::MatrixXf::Zero(units, inputs), Eigen::VectorXf::Zero(units), activation};
+/// Appends fully connected layers. `width`: of what comes in, then of what the last of them puts out.
+void appendDense(const std::vector<int>& units, Activation activation, int* width, LayerStack* layers) {
+  for (const int count : units) {
+    layers->push_back(DenseLayer{Eigen::MatrixXf::Zero(count, *width), Eigen::VectorXf::Zero(count), activation});
+    *width = count;
+  }
 }
 
 }  // namespace
@@ -94,25 +98,17 @@ void initialise(const InitialisationParameters& parameters, std::uint64_t seed, 
 }
 
 LayerStack makeLstmStack(int inputs, const std::vector<int>& cells, int outputs, Activation candidate) {
-  requireSizes(inputs, cells, outputs);
-  LayerStack layers;
-  for (const int count : cells) {
-    layers.push_back(LstmLayer{Eigen::MatrixXf::Zero(4 * count, inputs), Eigen::MatrixXf::Zero(4 * count, count),
-                               Eigen::VectorXf::Zero(4 * count), candidate});
-    inputs = count;
-  }
-  layers.push_back(zeroDenseLayer(inputs, outputs, Activation::kIdentity));
-  return layers;
+  NetworkShape shape;
+  shape.cells = cells;
+  shape.candidate = candidate;
+  return makeNetwork(inputs, shape, outputs);
 }
 
-LayerStack makeDenseStack(int inputs, const std::vector<int>& units, int outputs, Activation activation) {
+LayerStack makeDenseStack(int inputs, const std::vector<int>& units, int outputs) {
   requireSizes(inputs, units, outputs);
   LayerStack layers;
-  for (const int count : units) {
-    layers.push_back(zeroDenseLayer(inputs, count, activation));
-    inputs = count;
-  }
-  layers.push_back(zeroDenseLayer(inputs, outputs, Activation::kIdentity));
+  appendDense(units, Activation::kTanh, &inputs, &layers);
+  appendDense({outputs}, Activation::kIdentity, &inputs, &layers);
   return layers;
 }
 
@@ -123,13 +119,7 @@ LayerStack makeNetwork(int inputs, const NetworkShape& shape, int outputs) {
   sizes.insert(sizes.end(), shape.deep_out.begin(), shape.deep_out.end());
   requireSizes(inputs, sizes, outputs);
   LayerStack layers;
-  const auto addDense = [&](const std::vector<int>& units) {
-    for (const int count : units) {
-      layers.push_back(zeroDenseLayer(inputs, count, shape.activation));
-      inputs = count;
-    }
-  };
-  addDense(shape.deep_in);
+  appendDense(shape.deep_in, shape.activation, &inputs, &layers);
   for (const int count : shape.cells) {
     const int rows = shape.kind == NetworkShape::Kind::kLstm ? 4 * count : count;
     const Eigen::MatrixXf input = Eigen::MatrixXf::Zero(rows, inputs);
@@ -137,11 +127,11 @@ LayerStack makeNetwork(int inputs, const NetworkShape& shape, int outputs) {
     const Eigen::VectorXf bias = Eigen::VectorXf::Zero(rows);
     if (shape.kind == NetworkShape::Kind::kLstm) layers.push_back(LstmLayer{input, state, bias, shape.candidate});
     if (shape.kind == NetworkShape::Kind::kRnn) layers.push_back(RecurrentLayer{input, state, bias});
-    if (shape.kind == NetworkShape::Kind::kMlp) layers.push_back(zeroDenseLayer(inputs, count, shape.activation));
+    if (shape.kind == NetworkShape::Kind::kMlp) layers.push_back(DenseLayer{input, bias, shape.activation});
     inputs = count;
   }
-  addDense(shape.deep_out);
-  layers.push_back(zeroDenseLayer(inputs, outputs, Activation::kIdentity));
+  appendDense(shape.deep_out, shape.activation, &inputs, &layers);
+  appendDense({outputs}, Activation::kIdentity, &inputs, &layers);
   return layers;
 }
 

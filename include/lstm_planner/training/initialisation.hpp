@@ -25,15 +25,14 @@ struct InitialisationParameters {
 /// Throws std::invalid_argument for a range that is not positive and finite or a bias that is not finite.
 void initialise(const InitialisationParameters& parameters, std::uint64_t seed, LayerStack& layers);
 
-/// Stacked LSTM layers with `cells[i]` cells each and one linear layer with `outputs` outputs, all zero.
-/// Throws std::invalid_argument when a size is not positive.
+/// Stacked LSTM layers with `cells[i]` cells each and one linear layer with `outputs` outputs, all zero. Throws as
+/// makeNetwork().
 LayerStack makeLstmStack(int inputs, const std::vector<int>& cells, int outputs,
                          Activation candidate = Activation::kTanh);
 
-/// Stacked fully connected layers with `units[i]` units each and one linear layer with `outputs` outputs, all zero: the
-/// memoryless counterpart. Throws as makeLstmStack.
-LayerStack makeDenseStack(int inputs, const std::vector<int>& units, int outputs,
-                          Activation activation = Activation::kTanh);
+/// Stacked fully connected layers with `units[i]` units each (tanh) and one linear layer with `outputs` outputs, all
+/// zero: the memoryless counterpart. Throws std::invalid_argument when a size is not positive.
+LayerStack makeDenseStack(int inputs, const std::vector<int>& units, int outputs);
 
 /// The shape of a network that decides step by step (thesis Fig. 2.10): dense layers before the recurrent ones
 /// ("deep-in"), recurrent layers one on the other ("stacked"), dense layers behind them ("deep-out"), and one linear
