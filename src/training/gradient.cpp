@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "lstm_planner/training/confusion.hpp"
 #include "lstm_planner/training/lane_kernels.hpp"
 
 namespace lstm_planner {
@@ -54,10 +55,7 @@ LossSum& LossSum::operator+=(const LossSum& other) {
 
 double LossSum::meanLoss() const { return weight > 0.0 ? loss / weight : 0.0; }
 
-double LossSum::accuracy() const {
-  const std::int64_t steps = confusion.sum();
-  return steps > 0 ? static_cast<double>(confusion.trace()) / static_cast<double>(steps) : 0.0;
-}
+double LossSum::accuracy() const { return accuracyOf(confusion); }
 
 SequenceGradient::SequenceGradient(const LayerStack& layers, Loss loss)
     : layers_(withoutSoftmax(layers, loss)),

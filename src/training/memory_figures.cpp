@@ -26,13 +26,12 @@ void drawCurves(const std::string& folder, const std::vector<MemoryOutcome>& out
     csv.endRow();
   }
   writeOutputFile("sensitivity", file, [&](std::ostream& out) { out << text.str(); });
-  std::ostringstream script;
-  script << "set terminal pngcairo size 1100,600; set datafile separator ','; set grid; set logscale y; set format y "
-            "'10^{%L}'; set xlabel 'steps after the first'; set ylabel 'sensitivity to the first input, relative'; set "
-            "key outside right center; set output ";
   runGnuplot("sensitivity", folder + "/sensitivity.png", file, [&](const std::string& path) {
     std::ostringstream plot;
-    plot << script.str() << quotedForGnuplot(path) << "; plot ";
+    plot << "set terminal pngcairo size 1100,600; set datafile separator ','; set grid; set logscale y; set format y "
+            "'10^{%L}'; set xlabel 'steps after the first'; set ylabel 'sensitivity to the first input, relative'; set "
+            "key outside right center; set output "
+         << quotedForGnuplot(path) << "; plot ";
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const MemoryOutcome& outcome = outcomes[i / 2];
       plot << (i > 0 ? ", " : "") << quotedForGnuplot(file) << " skip 1 using 1:" << i + 2 << " with lines lw 2 lc "

@@ -9,8 +9,6 @@
 namespace lstm_planner {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 void require(bool condition, const char* name, double value, const char* expected) {
   if (condition) return;
   std::ostringstream message;
@@ -67,7 +65,7 @@ double clipToNorm(double max_norm, Eigen::VectorXf& gradient) {
 double learningRate(const OptimiserParameters& parameters, long step, long steps) {
   if (parameters.schedule == LearningRateSchedule::kConstant) return parameters.learning_rate;
   const double progress = static_cast<double>(step) / static_cast<double>(steps);
-  return parameters.learning_rate * 0.5 * (1.0 + std::cos(kPi * progress));
+  return parameters.learning_rate * 0.5 * (1.0 + std::cos(M_PI * progress));
 }
 
 Optimiser::Optimiser(const OptimiserParameters& parameters, Eigen::VectorXf mask)

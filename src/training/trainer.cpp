@@ -35,8 +35,8 @@ std::vector<double*> numbersOf(GroupLoss* group) {
   return numbers;
 }
 
-/// Loss and gradient of a batch, computed group by group and summed in the groups' order: the sum does not depend on
-/// which thread of which rank did which group.
+/// Loss of a batch, and its gradient where it is asked for, computed group by group and summed in the groups' order:
+/// the sum does not depend on which thread of which rank did which group.
 class GroupedGradient {
  public:
   GroupedGradient(const LayerStack& layers, Loss loss, int threads, Communicator* ranks)
@@ -44,14 +44,7 @@ class GroupedGradient {
     for (int thread = 0; thread < threads; ++thread) workers_.emplace_back(layers, loss);
   }
 
-  LossSum loss(const Eigen::VectorXf& parameters, const Batch& batch) { return evaluate(parameters, batch, nullptr); }
-
-  LossSum lossAndGradient(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf& gradient) {
-    return evaluate(parameters, batch, &gradient);
-  }
-
- private:
-  LossSum evaluate(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf* gradient) {
+  LossSum loss(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf* gradient = nullptr) {
     LossSum sum;
     if (batch.empty()) return sum;
     const std::vector<Batch> groups = SequenceGradient::groupsOf(batch);
@@ -74,6 +67,7 @@ class GroupedGradient {
     return sum;
   }
 
+ private:
   TileExchange exchange_;
   Eigen::Index classes_;
   std::vector<SequenceGradient> workers_;
@@ -112,11 +106,6 @@ void requireFinite(const LossSum& sum, const char* name, int epoch) {
                            " is not finite; a lower learning rate or gradient norm helps");
 }
 
-bool hasWeight(const std::vector<Sequence>& sequences) {
-  return std::any_of(sequences.begin(), sequences.end(),
-                     [](const Sequence& sequence) { return (sequence.weights.array() > 0.0f).any(); });
-}
-
 /// nullptr before the first.
 const EpochReport* bestOf(const std::vector<EpochReport>& curve) {
   const auto best = std::find_if(curve.rbegin(), curve.rend(), [](const EpochReport& report) { return report.best; });
@@ -130,7 +119,7 @@ const LayerStack& checked(const LayerStack& layers, const std::vector<Sequence>&
   validateLayers(layers);
   validateSequences(training, inputSize(layers), outputSize(layers), "training");
   validateSequences(validation, inputSize(layers), outputSize(layers), "validation");
-  if (!hasWeight(training)) {
+  if (countWeighted(training) == 0) {
     throw std::invalid_argument("training set of " + std::to_string(training.size()) +
                                 " sequences has no step with a weight above 0, expected at least one");
   }
@@ -204,7 +193,7 @@ class Trainer::Implementation {
     EpochReport report;
     report.epoch = epoch;
     for (const Batch& batch : batches) {
-      const LossSum sum = gradient_.lossAndGradient(weights_, batch, mean_gradient_);
+      const LossSum sum = gradient_.loss(weights_, batch, &mean_gradient_);
       requireFinite(sum, "training", epoch);
       report.learning_rate = learningRate(parameters_.optimiser, update_++, updates);
       report.training += sum;
