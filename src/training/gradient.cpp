@@ -76,7 +76,7 @@ std::vector<SequenceGradient::Batch> SequenceGradient::groupsOf(Batch batch) {
   return groups;
 }
 
-LossSum SequenceGradient::evaluate(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf* gradient) {
+LossSum SequenceGradient::loss(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf* gradient) {
   if (gradient != nullptr) gradient->setZero(parameter_count_);
   LossSum sum;
   if (!batch.empty()) sum.confusion.setZero(network_.outputSize(), network_.outputSize());

@@ -53,8 +53,7 @@ class GroupedGradient {
     const auto work = [&](int group, int thread) {
       const auto index = static_cast<std::size_t>(group);
       SequenceGradient& worker = workers_[static_cast<std::size_t>(thread)];
-      return GroupLoss(gradient != nullptr ? worker.lossAndGradient(parameters, groups[index], gradients[index])
-                                           : worker.loss(parameters, groups[index]),
+      return GroupLoss(worker.loss(parameters, groups[index], gradient != nullptr ? &gradients[index] : nullptr),
                        classes_);
     };
     for (const GroupLoss& group : exchange_.each(count, GroupLoss({}, classes_), work)) sum += group.sum();

@@ -57,14 +57,10 @@ class SequenceGradient {
   /// Cuts a batch into groups of kTogether or fewer, alike in length.
   static std::vector<Batch> groupsOf(Batch batch);
 
-  /// Loss with the given parameters, ordered as in parameterVector(), forward only.
-  LossSum loss(const Eigen::VectorXf& parameters, const Batch& batch) { return evaluate(parameters, batch, nullptr); }
-
-  /// The same, and the gradient of LossSum::loss (a sum, not a mean) in `gradient`.
-  /// Sequences must be valid (validateSequences); a wrong number of parameters throws std::invalid_argument.
-  LossSum lossAndGradient(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf& gradient) {
-    return evaluate(parameters, batch, &gradient);
-  }
+  /// Loss with the given parameters, ordered as in parameterVector(), and, where it is asked for, the gradient of
+  /// LossSum::loss (a sum, not a mean). Sequences must be valid (validateSequences); a wrong number of parameters
+  /// throws std::invalid_argument.
+  LossSum loss(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf* gradient = nullptr);
 
  private:
   using Rows = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -75,7 +71,6 @@ class SequenceGradient {
     Eigen::Index steps;
   };
 
-  LossSum evaluate(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf* gradient);
   std::vector<Piece> lanesOf(const Batch& group) const;
   void start(const Eigen::VectorXf& parameters, const std::vector<Piece>& lanes);
   Eigen::Map<const Rows> forward(const Eigen::VectorXf& parameters, Eigen::Index step);

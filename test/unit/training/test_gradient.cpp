@@ -102,7 +102,7 @@ void expectEquations(const LayerStack& layers, Loss loss) {
   const auto batch = pointersTo(sequences);
   const Eigen::VectorXf parameters = parameterVector(layers);
   Eigen::VectorXf gradient;
-  const LossSum sum = SequenceGradient(layers, loss).lossAndGradient(parameters, batch, gradient);
+  const LossSum sum = SequenceGradient(layers, loss).loss(parameters, batch, &gradient);
   const auto lossAt = [&](const Eigen::VectorXd& place) { return doubleLoss(layers, place, batch, loss); };
   EXPECT_NEAR(sum.loss, lossAt(parameters.cast<double>()), 1e-5 * sum.loss);
   const Eigen::VectorXd expected = centralDifferences(parameters.cast<double>(), lossAt);
@@ -134,7 +134,7 @@ TEST(SequenceGradient, TheEuclideanLossIsHalfTheSquaredDistanceToTheTarget) {
                           Eigen::VectorXf::Constant(1, 3.0f)};
   SequenceGradient computer({layer}, Loss::kEuclidean);
   Eigen::VectorXf gradient;
-  const LossSum sum = computer.lossAndGradient(parameterVector({layer}), {&sequence}, gradient);
+  const LossSum sum = computer.loss(parameterVector({layer}), {&sequence}, &gradient);
   EXPECT_DOUBLE_EQ(sum.loss, 3.0 * 0.5 * (0.5 * 0.5 + 1.25 * 1.25));
   EXPECT_EQ(sum.weight, 3.0);
   EXPECT_EQ(sum.confusion(1, 0), 1);  // the answer is the higher preference
@@ -183,12 +183,12 @@ void expectThatTheBatchIsTheSum(LayerStack layers) {
   }
   SequenceGradient computer(layers);
   Eigen::VectorXf together;
-  const LossSum whole = computer.lossAndGradient(parameters, pointersTo(sequences), together);
+  const LossSum whole = computer.loss(parameters, pointersTo(sequences), &together);
   Eigen::VectorXf sum = Eigen::VectorXf::Zero(parameters.size());
   LossSum parts;
   for (const Sequence& sequence : sequences) {
     Eigen::VectorXf gradient;
-    parts += computer.lossAndGradient(parameters, {&sequence}, gradient);
+    parts += computer.loss(parameters, {&sequence}, &gradient);
     sum += gradient;
   }
   EXPECT_NEAR(whole.loss, parts.loss, 1e-12 * whole.loss);  // each lane is computed as if it were alone
@@ -217,7 +217,7 @@ TEST(SequenceGradient, HugePreferencesStayFinite) {
   Random random(1);
   const Sequence sequence = randomSequence(9, random);
   Eigen::VectorXf gradient;
-  EXPECT_TRUE(std::isfinite(SequenceGradient(layers).lossAndGradient(parameters, {&sequence}, gradient).loss));
+  EXPECT_TRUE(std::isfinite(SequenceGradient(layers).loss(parameters, {&sequence}, &gradient).loss));
   EXPECT_TRUE(gradient.allFinite());
 }
 
@@ -225,7 +225,7 @@ TEST(SequenceGradient, EmptyBatchHasNoLossAndNoGradient) {
   LayerStack layers = makeLstmStack(kInputs, {4}, kOutputs);
   SequenceGradient computer(layers);
   Eigen::VectorXf gradient;
-  EXPECT_EQ(computer.lossAndGradient(parameterVector(layers), {}, gradient).weight, 0.0);
+  EXPECT_EQ(computer.loss(parameterVector(layers), {}, &gradient).weight, 0.0);
   EXPECT_TRUE((gradient.array() == 0.0f).all());
 }
 

@@ -118,7 +118,7 @@ TEST(Trainer, StepGoesAgainstTheGradientOfTheMeanLossOverAllGroups) {
   for (const Sequence& sequence : sequences) batch.push_back(&sequence);
   const Eigen::VectorXf weights = parameterVector(layers);
   Eigen::VectorXf gradient;
-  const LossSum sum = SequenceGradient(layers).lossAndGradient(weights, batch, gradient);
+  const LossSum sum = SequenceGradient(layers).loss(weights, batch, &gradient);
   const Eigen::VectorXf expected = weights - static_cast<float>(0.5 / sum.weight) * gradient;
   const Eigen::VectorXf trained = parameterVector(train(layers, sequences, {}, parameters).layers);
   EXPECT_LT((trained - expected).cwiseAbs().maxCoeff(), 1e-6f);  // single precision of weights below 2
