@@ -14,16 +14,12 @@ using Json = nlohmann::json;
 /// It was the grid world's first.
 constexpr const char* kFormat = "lstm_planner grid imitation 1";
 
-template <typename Vector>
-Json valuesOf(const Vector& vector) {
-  return std::vector<typename Vector::Scalar>(vector.data(), vector.data() + vector.size());
-}
-
 Json toJson(const LossSum& sum) {
+  const std::int64_t* counts = sum.confusion.data();
   return {{"loss", sum.loss},
           {"weight", sum.weight},
           {"classes", sum.confusion.rows()},
-          {"confusion", valuesOf(sum.confusion)}};
+          {"confusion", std::vector<std::int64_t>(counts, counts + sum.confusion.size())}};
 }
 
 LossSum lossFrom(const Json& json) {
@@ -57,9 +53,8 @@ EpochReport reportFrom(const Json& json) {
   report.training = lossFrom(json.at("training"));
   report.validation = lossFrom(json.at("validation"));
   report.best = json.at("best").get<bool>();
-  // Files from before these were written are read all the same.
-  if (json.contains("averaged")) report.averaged = lossFrom(json["averaged"]);
-  report.mean_batch_accuracy = json.value("mean_batch_accuracy", 0.0);
+  report.averaged = lossFrom(json.at("averaged"));
+  report.mean_batch_accuracy = json.at("mean_batch_accuracy").get<double>();
   return report;
 }
 
@@ -81,14 +76,14 @@ std::vector<std::uint8_t> toBytes(const ImitationState& state) {
   Json json = {{"format", kFormat},
                {"learners", Json::array()},
                {"curve", toJson(state.curve)},
-               {"weights", valuesOf(state.training.weights)},
-               {"averaged_weights", valuesOf(state.training.averaged_weights)},
-               {"best_weights", valuesOf(state.training.best_weights)},
-               {"velocity", valuesOf(state.training.optimiser.velocity)},
-               {"squared_average", valuesOf(state.training.optimiser.squared_average)},
+               {"weights", vectorToJson(state.training.weights)},
+               {"averaged_weights", vectorToJson(state.training.averaged_weights)},
+               {"best_weights", vectorToJson(state.training.best_weights)},
+               {"velocity", vectorToJson(state.training.optimiser.velocity)},
+               {"squared_average", vectorToJson(state.training.optimiser.squared_average)},
                {"updates", state.training.optimiser.updates},
                {"round_curve", toJson(state.training.curve)}};
-  for (const Eigen::VectorXf& learner : state.learners) json["learners"].push_back(valuesOf(learner));
+  for (const Eigen::VectorXf& learner : state.learners) json["learners"].push_back(vectorToJson(learner));
   return Json::to_cbor(json);
 }
 
@@ -99,7 +94,7 @@ ImitationState imitationStateFrom(const std::vector<std::uint8_t>& bytes) try {
   for (const Json& learner : json.at("learners")) state.learners.push_back(vectorFromJson(learner));
   state.training.weights = vectorFromJson(json.at("weights"));
   state.training.best_weights = vectorFromJson(json.at("best_weights"));
-  if (json.contains("averaged_weights")) state.training.averaged_weights = vectorFromJson(json["averaged_weights"]);
+  state.training.averaged_weights = vectorFromJson(json.at("averaged_weights"));
   state.training.optimiser.velocity = vectorFromJson(json.at("velocity"));
   state.training.optimiser.squared_average = vectorFromJson(json.at("squared_average"));
   state.training.optimiser.updates = wholeNumber(json.at("updates"), 0, LONG_MAX);
