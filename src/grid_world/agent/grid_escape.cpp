@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lstm_planner/common/parameter_check.hpp"
+#include "lstm_planner/grid_world/search/exact_octile.hpp"
 
 namespace lstm_planner {
 
@@ -14,17 +15,19 @@ GridEscape::GridEscape(const GridEscapeParameters& parameters)
 }
 
 void GridEscape::start() {
-  watch_.start();
+  nearest_.clear();
   active_ = false;
   activations_ = 0;
 }
 
 void GridEscape::observe(const GridObservation& observation, bool new_place) {
-  const bool is_best = watch_.observe(observation, new_place);
-  if (is_best && watch_.best() <= hand_back_below_) active_ = false;
+  // On the largest grids, too, two lengths differ by more than rounding, or are the same.
+  const bool is_best = nearest_.note(octileDistance(observation.cell, observation.goal).length());
+  steps_in_known_places_ = new_place || is_best ? 0 : steps_in_known_places_ + 1;
+  if (is_best && nearest_.best() <= hand_back_below_) active_ = false;
   if (active_) {
     follower_.observe(observation);
-  } else if (watch_.isExhausted(parameters_.patience, parameters_.long_patience)) {
+  } else if (steps_in_known_places_ >= parameters_.patience || nearest_.steps() >= parameters_.long_patience) {
     takeOver(observation);
   }
 }
@@ -32,7 +35,7 @@ void GridEscape::observe(const GridObservation& observation, bool new_place) {
 void GridEscape::takeOver(const GridObservation& observation) {
   active_ = true;
   ++activations_;
-  hand_back_below_ = std::max(0.0, watch_.best() - parameters_.margin);
+  hand_back_below_ = std::max(0.0, nearest_.best() - parameters_.margin);
   follower_.start();
   follower_.observe(observation);
 }

@@ -2,9 +2,9 @@
 
 #include <cstddef>
 
+#include "lstm_planner/common/progress_watch.hpp"
 #include "lstm_planner/grid_world/agent/boundary_follower.hpp"
 #include "lstm_planner/grid_world/agent/grid_agent.hpp"
-#include "lstm_planner/grid_world/agent/grid_progress_watch.hpp"
 
 namespace lstm_planner {
 
@@ -55,9 +55,10 @@ class GridEscape {
  private:
   GridEscapeParameters parameters_;
   BoundaryFollower follower_;
-  GridProgressWatch watch_;
+  ProgressWatch nearest_{0.0};     ///< cells to the goal
+  int steps_in_known_places_ = 0;  ///< in which the agent got neither nearer to the goal than ever nor to a new place
+  double hand_back_below_ = 0.0;   ///< cells to the goal
   bool active_ = false;
-  double hand_back_below_ = 0.0;  ///< cells to the goal
   std::size_t activations_ = 0;
 };
 
