@@ -35,7 +35,7 @@ void AStarAgent::observe(const GridObservation& observation) {
 
 int AStarAgent::decide() {
   if (place_ + 1 >= path_.cells.size()) return kNoPath;
-  return directionBetween(path_.cells[place_], path_.cells[place_ + 1]);
+  return rayBetween(path_.cells[place_], path_.cells[place_ + 1]);
 }
 
 }  // namespace lstm_planner

@@ -24,6 +24,4 @@ int GreedyAgent::decide() {
   return best;
 }
 
-void GreedyAgent::step(int, bool) {}
-
 }  // namespace lstm_planner

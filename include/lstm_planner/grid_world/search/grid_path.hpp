@@ -44,9 +44,6 @@ struct GridPath {
   }
 };
 
-/// The direction (kGridRaySteps) of the move between two cells that touch.
-int directionBetween(CellIndex from, CellIndex to);
-
 /// The path along neighbouring cells.
 GridPath pathAlong(std::vector<CellIndex> cells);
 

@@ -56,7 +56,7 @@ TEST(AStarAgent, PlansAgainWhenItIsNotWhereItWent) {
   agent.start({2, 2}, {5, 2});
   const std::size_t planned_once = agent.expandedCells();
   agent.observe({{5, 5}, {5, 2}, senseRanges(grid, {5, 5})});
-  EXPECT_EQ(agent.decide(), directionBetween({5, 5}, {5, 4}));
+  EXPECT_EQ(agent.decide(), rayBetween({5, 5}, {5, 4}));
   EXPECT_GT(agent.expandedCells(), planned_once);
 }
 

@@ -21,8 +21,7 @@ void expectPossible(const PassableGrid& grid, const GridPath& path, CellIndex st
   EXPECT_TRUE(path.cells.front() == start);
   EXPECT_TRUE(path.cells.back() == goal);
   for (std::size_t i = 1; i < path.cells.size(); ++i) {
-    EXPECT_TRUE(
-        movePossible(grid, path.cells[i - 1], directionBetween(path.cells[i - 1], path.cells[i]), corner_cutting));
+    EXPECT_TRUE(movePossible(grid, path.cells[i - 1], rayBetween(path.cells[i - 1], path.cells[i]), corner_cutting));
   }
 }
 

@@ -41,8 +41,7 @@ void expectSameAsAStar(const PassableGrid& grid, DStar& search, CellIndex robot,
   EXPECT_EQ(path.diagonal_moves, shortest.diagonal_moves);
   EXPECT_TRUE(path.cells.back() == goal);
   for (std::size_t i = 1; i < path.cells.size(); ++i) {
-    EXPECT_TRUE(
-        movePossible(grid, path.cells[i - 1], directionBetween(path.cells[i - 1], path.cells[i]), corner_cutting));
+    EXPECT_TRUE(movePossible(grid, path.cells[i - 1], rayBetween(path.cells[i - 1], path.cells[i]), corner_cutting));
   }
 }
 
