@@ -1,8 +1,5 @@
 #include "grid_world/agent/d_star_agent.hpp"
 
-#include <stdexcept>
-#include <string>
-
 namespace lstm_planner {
 
 DStarAgent::DStarAgent(int columns, int rows, CornerCutting corner_cutting)
@@ -10,11 +7,6 @@ DStarAgent::DStarAgent(int columns, int rows, CornerCutting corner_cutting)
 
 void DStarAgent::start(CellIndex start, CellIndex goal) {
   search_ = DStar(columns_, rows_, goal, corner_cutting_);
-  if (!search_.contains(start)) {
-    throw std::invalid_argument("the start (column " + std::to_string(start.column) + ", row " +
-                                std::to_string(start.row) + ") is outside the map of " + std::to_string(columns_) +
-                                " x " + std::to_string(rows_) + " cells");
-  }
   cell_ = start;
   goal_ = goal;
 }

@@ -10,10 +10,10 @@ namespace lstm_planner {
 /// sensed.
 class DStarAgent : public GridAgent {
  public:
-  /// Throws std::invalid_argument for a size that PassableGrid refuses.
+  /// Of a size that PassableGrid allows.
   DStarAgent(int columns, int rows, CornerCutting corner_cutting = CornerCutting::kForbidden);
 
-  /// Throws std::invalid_argument when start or goal is outside.
+  /// Throws std::invalid_argument for a goal outside.
   void start(CellIndex start, CellIndex goal) override;
   /// Every cell of a ray is passable up to its end, and the end is blocked unless the ray reached kGridRayCap.
   void observe(const GridObservation& observation) override;

@@ -20,10 +20,6 @@ namespace {
 
 constexpr int opposite(int direction) { return (direction + kGridMoveCount / 2) % kGridMoveCount; }
 
-std::string cellText(CellIndex cell) {
-  return "(column " + std::to_string(cell.column) + ", row " + std::to_string(cell.row) + ")";
-}
-
 }  // namespace
 
 struct DStar::Later {
@@ -32,11 +28,11 @@ struct DStar::Later {
 
 DStar::DStar(int columns, int rows, CellIndex goal, CornerCutting corner_cutting)
     : columns_(columns), rows_(rows), corner_cutting_(corner_cutting) {
-  const std::string size = std::to_string(columns) + " x " + std::to_string(rows) + " cells";
-  if (columns < 1 || rows < 1 || std::int64_t{columns} * rows > PassableGrid::kMostCells) {
-    throw std::invalid_argument("a map of " + size + ", expected positive sizes and at most 2^26 cells");
+  if (!contains(goal)) {
+    throw std::invalid_argument("the goal (column " + std::to_string(goal.column) + ", row " +
+                                std::to_string(goal.row) + ") is outside the map of " + std::to_string(columns) +
+                                " x " + std::to_string(rows) + " cells");
   }
-  if (!contains(goal)) throw std::invalid_argument("the goal " + cellText(goal) + " is outside the map of " + size);
   tile_columns_ = (static_cast<std::size_t>(columns) + kTileSide - 1) / kTileSide;
   tiles_.resize(tile_columns_ * ((static_cast<std::size_t>(rows) + kTileSide - 1) / kTileSide));
   insert(goal, state(goal), 0);
@@ -210,7 +206,6 @@ void DStar::raise(CellIndex cell, State& x, const Neighbours& neighbours, MoveCo
 }
 
 bool DStar::plan(CellIndex robot) {
-  if (!contains(robot)) throw std::invalid_argument("the robot's cell " + cellText(robot) + " is outside the map");
   while (leastKey() < costToGoal(robot)) processState();
   return costToGoal(robot) < kUnreachable;
 }

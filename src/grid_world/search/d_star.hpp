@@ -21,7 +21,7 @@ namespace lstm_planner {
 /// the open list.
 class DStar {
  public:
-  /// Throws std::invalid_argument for a size that PassableGrid refuses and for a goal outside.
+  /// Of a size that PassableGrid allows. Throws std::invalid_argument for a goal outside.
   DStar(int columns, int rows, CellIndex goal, CornerCutting corner_cutting = CornerCutting::kForbidden);
 
   bool contains(CellIndex cell) const {
@@ -33,8 +33,8 @@ class DStar {
   /// What the robot has found out; MODIFY-COST for every move that depends on the cell. `cell` must be inside.
   void setPassable(CellIndex cell, bool passable);
 
-  /// Repairs the paths that matter for a robot in this cell. Returns whether there is a path to the goal, with what is
-  /// known. Throws std::invalid_argument when the cell is outside.
+  /// Repairs the paths that matter for a robot in this cell, which must be inside. Returns whether there is a path to
+  /// the goal, with what is known.
   bool plan(CellIndex robot);
 
   /// The direction of the first move of the shortest path that plan() found from this cell, or along which it lies; -1
