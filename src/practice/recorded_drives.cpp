@@ -184,10 +184,8 @@ void validate(const RecordedDrivesParameters& parameters) {
   checkParameter(parameters.period <= 0.1, "period", parameters.period, "at most 0.1 s, or the driver brakes too late");
   checkParameter(parameters.scan_offset >= 0.0 && parameters.scan_offset < parameters.period, "scan_offset",
                  parameters.scan_offset, "a time in [0, period) s");
-  checkParameter(parameters.steps >= 0, "steps", static_cast<double>(parameters.steps),
-                 "a number that is not negative");
-  checkParameter(parameters.goals >= 0, "goals", static_cast<double>(parameters.goals),
-                 "a number that is not negative");
+  checkNotNegative("steps", static_cast<double>(parameters.steps));
+  checkNotNegative("goals", static_cast<double>(parameters.goals));
   checkParameter(parameters.steps > 0 || parameters.goals > 0, "goals", static_cast<double>(parameters.goals),
                  "a positive number where steps is 0");
   checkRange("time_limit", parameters.time_limit, 0.1, 1e6);

@@ -37,4 +37,8 @@ inline void checkPositive(const std::string& name, double value) {
   checkParameter(value > 0.0, name, value, "a positive number");
 }
 
+inline void checkNotNegative(const std::string& name, double value) {
+  checkParameter(value >= 0.0, name, value, "a number that is not negative");
+}
+
 }  // namespace lstm_planner

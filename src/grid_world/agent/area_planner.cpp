@@ -209,9 +209,6 @@ void AreaPlanner::Plan::goOn() {
 
 AreaPlanner::AreaPlanner(const AreaPlannerParameters& parameters) : parameters_(parameters) {
   static_assert(SeenGrid::kSide == Search::kSide && BlockGraph::kSide == Search::kSide, "one search serves both");
-  const auto checkNotNegative = [](const char* name, double value) {
-    checkParameter(value >= 0.0, name, value, "a number that is not negative");
-  };
   checkNotNegative("far_weight", parameters.far_weight);
   checkParameter(parameters.most_far_weight >= 0.0 && parameters.most_far_weight <= 30.0, "most_far_weight",
                  parameters.most_far_weight, "a number from 0 to 30");

@@ -6,13 +6,6 @@
 #include "lstm_planner/common/parameter_check.hpp"
 
 namespace lstm_planner {
-namespace {
-
-void checkNotNegative(const char* name, double value) {
-  checkParameter(value >= 0.0, name, value, "a number that is not negative");
-}
-
-}  // namespace
 
 BoundaryFollower::BoundaryFollower(const BoundaryParameters& parameters)
     : parameters_(parameters), trail_(parameters.corner_cutting) {

@@ -11,7 +11,7 @@ GridEscape::GridEscape(const GridEscapeParameters& parameters)
     : parameters_(parameters), follower_(parameters.boundary) {
   checkParameter(parameters.patience >= 1, "patience", parameters.patience, "at least one step");
   checkParameter(parameters.long_patience >= 1, "long_patience", parameters.long_patience, "at least one step");
-  checkParameter(parameters.margin >= 0.0, "margin", parameters.margin, "a number that is not negative");
+  checkNotNegative("margin", parameters.margin);
 }
 
 void GridEscape::start() {

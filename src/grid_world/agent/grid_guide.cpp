@@ -18,12 +18,9 @@ GridGuide::GridGuide(const GridGuideParameters& parameters)
       area_(parameters_.area),
       last_resort_(parameters_.last_resort),
       greedy_(parameters.corner_cutting) {
-  checkParameter(parameters.most_steps_without_path >= 0, "most_steps_without_path", parameters.most_steps_without_path,
-                 "a number that is not negative");
-  checkParameter(parameters.most_times_planned >= 0.0, "most_times_planned", parameters.most_times_planned,
-                 "a number that is not negative");
-  checkParameter(parameters.most_steps_more >= 0, "most_steps_more", parameters.most_steps_more,
-                 "a number that is not negative");
+  checkNotNegative("most_steps_without_path", parameters.most_steps_without_path);
+  checkNotNegative("most_times_planned", parameters.most_times_planned);
+  checkNotNegative("most_steps_more", parameters.most_steps_more);
 }
 
 void GridGuide::start(CellIndex start) {
