@@ -51,22 +51,18 @@ class RollingWindow {
     byte = static_cast<std::uint8_t>((byte & ~(kMask << shift)) | value << shift);
   }
 
-  /// The values of as many places as a byte holds, side by side from `first` on, whose column is a multiple of that
-  /// number; the first one in the lowest bits.
-  unsigned byteFrom(CellIndex first) const {
-    if (contains(first) && contains({first.column + kPlaces - 1, first.row})) return bytes_[indexOf(first) / kPlaces];
-    unsigned byte = 0;
-    for (int i = 0; i < kPlaces; ++i) byte |= at({first.column + i, first.row}) << (i * kBits);
-    return byte;
-  }
-
-  /// byteFrom() of four rows, the first one in the lowest byte.
+  /// The values of four rows, of as many places from `first` on as a byte holds, whose column is a multiple of that
+  /// number: a byte a row, the first one in the lowest bits.
   std::uint32_t fourBytesFrom(CellIndex first) const {
-    std::uint32_t bytes = 0;
     const bool inside = contains(first) && contains({first.column + kPlaces - 1, first.row + 3});
+    std::uint32_t bytes = 0;
     for (int row = 0; row < 4; ++row) {
       const CellIndex place{first.column, first.row + row};
-      bytes |= (inside ? bytes_[indexOf(place) / kPlaces] : byteFrom(place)) << (8 * row);
+      if (inside) {
+        bytes |= std::uint32_t{bytes_[indexOf(place) / kPlaces]} << (8 * row);
+        continue;
+      }
+      for (int i = 0; i < kPlaces; ++i) bytes |= at({place.column + i, place.row}) << (8 * row + i * kBits);
     }
     return bytes;
   }
