@@ -68,7 +68,7 @@ std::vector<double> MetadataReader::numbers(const std::string& key) {
 }
 
 void MetadataReader::finish() const {
-  if (isSound()) return;
+  if (missing_.empty() && complaints_.empty()) return;
   std::string sentence;
   for (const std::string& key : missing_) sentence += (sentence.empty() ? "the metadata lack " : ", ") + key;
   for (const std::string& complaint : complaints_)

@@ -29,7 +29,6 @@ class MetadataReader {
 
   /// Notes an error, a sentence without a full stop.
   void note(const std::string& complaint) { complaints_.push_back(complaint); }
-  bool isSound() const { return missing_.empty() && complaints_.empty(); }
 
   /// Throws std::invalid_argument with all noted errors, if there are any.
   void finish() const;

@@ -19,6 +19,26 @@ constexpr float kShortest = 5.0f;
 
 constexpr int kSmallestSize = 8;
 
+/// Small maps on which a table learns, each with a goal of its own.
+struct SmallMaps {
+  std::string name;
+  std::function<PassableGrid(std::uint64_t seed)> generate;
+};
+
+/// Mazes with corridors two cells wide, random fill of a quarter, and caves, of `size` cells square.
+std::vector<SmallMaps> smallMaps(int size) {
+  MazeParameters maze;
+  maze.columns = maze.rows = size;
+  maze.corridor_width = 2;
+  RandomFillParameters random;
+  random.columns = random.rows = size;
+  CaveParameters caves;
+  caves.columns = caves.rows = size;
+  return {{"mazes", [=](std::uint64_t seed) { return generateMaze(maze, seed); }},
+          {"random fill", [=](std::uint64_t seed) { return generateRandomFill(random, seed); }},
+          {"caves", [=](std::uint64_t seed) { return generateCaves(caves, seed); }}};
+}
+
 /// A map with two goals that can be reached from each other and starts for both.
 struct Place {
   PassableGrid grid;
@@ -43,7 +63,7 @@ std::vector<CellIndex> cellsFrom(const PassableGrid& grid, const GridDistances& 
   return cells;
 }
 
-Place makePlace(const QTableComparisonParameters& parameters, const QTableMaps& maps, std::uint64_t seed) {
+Place makePlace(const QTableComparisonParameters& parameters, const SmallMaps& maps, std::uint64_t seed) {
   Random random(seed);
   constexpr int kAttempts = 1000;
   Place place;
@@ -77,7 +97,7 @@ void appendTasks(const QTableComparisonParameters& parameters, const Place& plac
 /// The kind's maps and what is learned about them.
 class Contest {
  public:
-  Contest(const QTableComparisonParameters& parameters, const QTableMaps& maps) : parameters_(parameters) {
+  Contest(const QTableComparisonParameters& parameters, const SmallMaps& maps) : parameters_(parameters) {
     for (int map = 0; map < parameters.maps; ++map) {
       places_.push_back(makePlace(parameters, maps, parameters.seed + static_cast<std::uint64_t>(map)));
     }
@@ -150,19 +170,6 @@ class Contest {
 
 }  // namespace
 
-std::vector<QTableMaps> smallMaps(int size) {
-  MazeParameters maze;
-  maze.columns = maze.rows = size;
-  maze.corridor_width = 2;
-  RandomFillParameters random;
-  random.columns = random.rows = size;
-  CaveParameters caves;
-  caves.columns = caves.rows = size;
-  return {{"mazes", [=](std::uint64_t seed) { return generateMaze(maze, seed); }},
-          {"random fill", [=](std::uint64_t seed) { return generateRandomFill(random, seed); }},
-          {"caves", [=](std::uint64_t seed) { return generateCaves(caves, seed); }}};
-}
-
 void validate(const QTableComparisonParameters& parameters) {
   const auto check_positive = [](const char* name, int value) {
     checkParameter(value >= 1, name, value, "at least 1");
@@ -184,8 +191,8 @@ std::vector<QTableOutcome> compareQTables(const QTableComparisonParameters& para
                                           const std::function<void(double)>& progress) {
   validate(parameters);
   std::vector<QTableOutcome> outcomes;
-  const std::vector<QTableMaps> kinds = smallMaps(parameters.size);
-  for (const QTableMaps& kind : kinds) {
+  const std::vector<SmallMaps> kinds = smallMaps(parameters.size);
+  for (const SmallMaps& kind : kinds) {
     Contest contest(parameters, kind);
     QTableOutcome outcome{kind.name, {}};
     for (const int episodes : parameters.episodes) {

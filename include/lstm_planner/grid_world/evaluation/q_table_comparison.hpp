@@ -10,14 +10,6 @@
 
 namespace lstm_planner {
 
-/// Small maps on which a table learns, each with a goal of its own.
-struct QTableMaps {
-  std::string name;
-  std::function<PassableGrid(std::uint64_t seed)> generate;
-};
-/// Mazes with corridors two cells wide, random fill of a quarter, and caves, of `size` cells square (at least 8).
-std::vector<QTableMaps> smallMaps(int size);
-
 /// How the table learns, and on what it is judged.
 struct QTableComparisonParameters {
   QTableParameters table;

@@ -11,19 +11,15 @@
 
 namespace lstm_planner {
 
-/// A round draws hundreds of paths, not millions: a few goals will do.
-inline GridCourseParameters imitationCourse() {
-  GridCourseParameters course;
-  course.goals = 150;
-  return course;
-}
-
 /// Learning to walk the grid world from a supervisor that knows the map (thesis 2.3.1 and 3.2).
 ///
 /// One round is the thesis's way: the supervisor leads, the network learns to answer as it does. Further rounds are
 /// those of ImitationRounds.
 struct GridImitationParameters {
-  GridCourseParameters course = imitationCourse();
+  /// A round draws hundreds of paths, not millions: a few goals will do.
+  GridImitationParameters() { course.goals = 150; }
+
+  GridCourseParameters course;
   GridDatasetParameters dataset;  ///< of each round
   int validation_steps = 10240;   ///< thesis Table 3.1; after each round as many again, of paths that the network leads
   int rounds = 1;
