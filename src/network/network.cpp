@@ -111,17 +111,4 @@ Eigen::Map<const Network::HiddenState> Network::hiddenState(int sequence) const 
   return {memory(placeOf(sequence)), static_cast<Eigen::Index>(packed_->hiddenStateSize())};
 }
 
-void Network::setHiddenState(const Eigen::Ref<const HiddenState>& state, int sequence) {
-  const auto expected = static_cast<Eigen::Index>(packed_->hiddenStateSize());
-  if (state.size() != expected) {
-    throw std::invalid_argument("the hidden state has " + std::to_string(state.size()) + " values, expected " +
-                                std::to_string(expected));
-  }
-  if (!state.allFinite()) throw std::invalid_argument("the hidden state holds a value that is not finite");
-  float* own = memory(placeOf(sequence));
-  std::copy_n(state.data(), state.size(), own);
-  const DenormalsAreZero mode;
-  packed_->prepare(own);
-}
-
 }  // namespace lstm_planner

@@ -17,9 +17,9 @@ class PackedNetwork;
 /// several that have the weights in common and do not depend on each other, such as the views of an agent.
 ///
 /// Batch 1, single precision, within 1e-5 of double precision over a thousand steps. Nothing is allocated after
-/// construction. Hidden states start at zero and change only in forward(), reset() and setHiddenState(). The same steps
-/// give the same bits with the same instruction set. Copies share their weights; each has its own hidden states. Not
-/// thread safe: use one for each agent.
+/// construction. Hidden states start at zero and change only in forward() and reset(). The same steps give the same
+/// bits with the same instruction set. Copies share their weights; each has its own hidden states. Not thread safe: use
+/// one for each agent.
 ///
 /// Sequences are counted from 0. Functions throw std::out_of_range for one that there is not.
 class Network {
@@ -47,11 +47,8 @@ class Network {
   /// Sets the hidden states and cell states of all sequences to zero.
   void reset();
 
-  /// The state for the sequence's next step. Valid until forward(), reset() or setHiddenState() is called.
+  /// The state for the sequence's next step. Valid until forward() or reset() is called.
   Eigen::Map<const HiddenState> hiddenState(int sequence = 0) const;
-
-  /// Throws std::invalid_argument if the size is not hiddenState().size() or a value is not finite.
-  void setHiddenState(const Eigen::Ref<const HiddenState>& state, int sequence = 0);
 
   int sequences() const { return static_cast<int>(places_.size()) - 1; }
   int inputSize() const { return input_size_; }

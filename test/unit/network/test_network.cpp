@@ -163,29 +163,13 @@ TEST(Network, ResetMakesTheNextStepsThoseOfANewNetwork) {
   EXPECT_EQ(VectorXf(used.forward(input)), first);
 }
 
-TEST(Network, RestoredHiddenStateGivesTheSameSteps) {
+TEST(Network, TheHiddenStateIsThatOfAllRecurrentLayers) {
   LayerMaker make(25);
-  Network network({make.lstm(11, 8), make.recurrent(8, 6), make.dense(6, 8)});
+  const Network network({make.lstm(11, 8), make.recurrent(8, 6), make.dense(6, 8)});
   EXPECT_EQ(network.hiddenState().size(), 2 * 8 + 6);
-  for (int step = 0; step < 20; ++step) network.forward(make.input(11));
-  const Network::HiddenState saved = network.hiddenState();
-  const VectorXf input = make.input(11);
-  const VectorXf first = network.forward(input);
-  network.forward(make.input(11));
-  network.setHiddenState(saved);
-  EXPECT_EQ(VectorXf(network.forward(input)), first);
 }
 
-TEST(Network, HiddenStatesThatDoNotFitAreRefused) {
-  Network network(LayerMaker(27).thesisNet());
-  Network::HiddenState state = network.hiddenState();
-  EXPECT_THROW(network.setHiddenState(VectorXf::Zero(state.size() - 1)), std::invalid_argument);
-  state(3) = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_THROW(network.setHiddenState(state), std::invalid_argument);
-  EXPECT_TRUE(network.hiddenState().isZero(0.0f));
-}
-
-TEST(Network, SequencesAreSetByThemselvesAndForgetTogether) {
+TEST(Network, SequencesStepByThemselvesAndForgetTogether) {
   LayerMaker make(37);
   Network network(make.thesisNet(), fastestInstructionSet(), 3);
   EXPECT_EQ(network.sequences(), 3);
@@ -193,9 +177,6 @@ TEST(Network, SequencesAreSetByThemselvesAndForgetTogether) {
   const VectorXf first = network.forward(input, 0);
   for (const int other : {1, 2}) EXPECT_EQ(VectorXf(network.forward(input, other)), first);
   const VectorXf second = network.forward(input, 2);
-  network.setHiddenState(network.hiddenState(2), 0);
-  network.setHiddenState(VectorXf::Zero(32), 2);
-  EXPECT_EQ(VectorXf(network.forward(input, 2)), first);
   EXPECT_EQ(VectorXf(network.forward(input, 1)), second);
   EXPECT_EQ(network.hiddenState(0).size(), 32);
   network.reset();
@@ -209,7 +190,6 @@ TEST(Network, SequencesThatThereAreNotAreRefused) {
   for (const int no_sequence : {-1, 2}) {
     EXPECT_THROW(network.forward(VectorXf::Zero(11), no_sequence), std::out_of_range);
     EXPECT_THROW(network.hiddenState(no_sequence), std::out_of_range);
-    EXPECT_THROW(network.setHiddenState(VectorXf::Zero(32), no_sequence), std::out_of_range);
   }
 }
 
