@@ -82,7 +82,7 @@ struct AreaPlanner::BlockWorld {
   int estimate(CellIndex place) const {
     return octileFifths(goal_in_window.column - place.column, goal_in_window.row - place.row);
   }
-  bool isTarget(CellIndex place) const { return goal_inside ? place == goal_in_window : Search::atEdge(place); }
+  bool isTarget(CellIndex place) const { return goal_inside ? place == goal_in_window : BoundedSearch::atEdge(place); }
   /// Of a block that was never seen, against one that was.
   double weightOf(CellIndex block) const {
     const CellIndex cell = middleOf(block);
@@ -191,7 +191,7 @@ struct AreaPlanner::NearWorld {
   CellIndex goal;
 
   int estimate(CellIndex place) const { return octileFifths(goal.column - place.column, goal.row - place.row); }
-  bool isTarget(CellIndex place) const { return Search::atEdge(place) || place == goal; }
+  bool isTarget(CellIndex place) const { return BoundedSearch::atEdge(place) || place == goal; }
   template <typename Move>
   void expand(CellIndex place, const Move& move) const {
     const unsigned moves = movesBetween(seen.wallsBeside(outOfWindow(place, seen.origin()), true), corner_cutting);
@@ -208,7 +208,8 @@ void AreaPlanner::Plan::goOn() {
 }
 
 AreaPlanner::AreaPlanner(const AreaPlannerParameters& parameters) : parameters_(parameters) {
-  static_assert(SeenGrid::kSide == Search::kSide && BlockGraph::kSide == Search::kSide, "one search serves both");
+  static_assert(SeenGrid::kSide == BoundedSearch::kSide && BlockGraph::kSide == BoundedSearch::kSide,
+                "one search serves both");
   checkNotNegative("far_weight", parameters.far_weight);
   checkParameter(parameters.most_far_weight >= 0.0 && parameters.most_far_weight <= 30.0, "most_far_weight",
                  parameters.most_far_weight, "a number from 0 to 30");
@@ -427,7 +428,7 @@ bool AreaPlanner::find(const World& world, CellIndex from, Plan* plan) {
 }
 
 std::size_t AreaPlanner::bytes() const {
-  return sizeof(*this) + seen_.bytes() + BlockGraph::bytes() + Search::bytes() + 2 * kLongestPath + kMostBlocks;
+  return sizeof(*this) + seen_.bytes() + BlockGraph::bytes() + BoundedSearch::bytes() + 2 * kLongestPath + kMostBlocks;
 }
 
 }  // namespace lstm_planner

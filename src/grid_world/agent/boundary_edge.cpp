@@ -6,10 +6,24 @@
 namespace lstm_planner {
 namespace {
 
+enum class SeenCell { kFree, kBlocked, kUnknown };
+
 int directionTo(int columns, int rows) {
   const int column = (columns > 0) - (columns < 0);
   const int row = (rows > 0) - (rows < 0);
   return rayBetween({0, 0}, {column, row});
+}
+
+/// What the eight rays say about a cell.
+SeenCell seenCell(const GridObservation& observation, CellIndex cell) {
+  const int columns = cell.column - observation.cell.column;
+  const int rows = cell.row - observation.cell.row;
+  if (columns == 0 && rows == 0) return SeenCell::kFree;
+  if (columns != 0 && rows != 0 && std::abs(columns) != std::abs(rows)) return SeenCell::kUnknown;
+  const int steps = std::max(std::abs(columns), std::abs(rows));
+  const int range = observation.ranges[static_cast<std::size_t>(directionTo(columns, rows))];
+  if (steps < range) return SeenCell::kFree;
+  return steps == range && range < kGridRayCap ? SeenCell::kBlocked : SeenCell::kUnknown;
 }
 
 BoundaryStep turnInPlace(BoundaryEdge edge, int travel) {
@@ -21,17 +35,6 @@ BoundaryStep goAhead(BoundaryEdge edge, CellIndex ahead) {
 }
 
 }  // namespace
-
-SeenCell seenCell(const GridObservation& observation, CellIndex cell) {
-  const int columns = cell.column - observation.cell.column;
-  const int rows = cell.row - observation.cell.row;
-  if (columns == 0 && rows == 0) return SeenCell::kFree;
-  if (columns != 0 && rows != 0 && std::abs(columns) != std::abs(rows)) return SeenCell::kUnknown;
-  const int steps = std::max(std::abs(columns), std::abs(rows));
-  const int range = observation.ranges[static_cast<std::size_t>(directionTo(columns, rows))];
-  if (steps < range) return SeenCell::kFree;
-  return steps == range && range < kGridRayCap ? SeenCell::kBlocked : SeenCell::kUnknown;
-}
 
 BoundaryStep nextAlongBoundary(const GridObservation& observation, BoundaryEdge edge, WallSide side,
                                CornerCutting corner_cutting) {

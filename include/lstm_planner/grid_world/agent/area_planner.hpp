@@ -61,7 +61,6 @@ class AreaPlanner {
   std::size_t bytes() const;
 
  private:
-  using Search = BoundedSearch<3072, 255>;
   struct BlockWorld;
   struct CellWorld;
   struct NearWorld;
@@ -96,7 +95,7 @@ class AreaPlanner {
   AreaPlannerParameters parameters_;
   SeenGrid seen_;
   BlockGraph graph_;
-  Search search_;
+  BoundedSearch search_;
   GridObservation now_;
   CellIndex start_;
   bool searches_blocks_ = false;

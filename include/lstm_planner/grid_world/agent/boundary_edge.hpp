@@ -4,11 +4,6 @@
 
 namespace lstm_planner {
 
-enum class SeenCell { kFree, kBlocked, kUnknown };
-
-/// What the eight rays say about a cell.
-SeenCell seenCell(const GridObservation& observation, CellIndex cell);
-
 /// On which side the wall is kept while a boundary is followed.
 enum class WallSide { kRight, kLeft };
 

@@ -18,9 +18,7 @@ namespace lstm_planner {
 /// Places are counted from the square's corner. A `World` has `int estimate(CellIndex place)` (the least cost to a
 /// target; it may fall by no more than a move costs), `bool isTarget(CellIndex place)`, and `expand(CellIndex place,
 /// move)` that calls `move(std::size_t direction, int cost)` for every move that is possible from a place that does not
-/// lie at the square's edge. kMostOpen: nodes that are open at a time; kMostRise: by which a move may raise cost +
-/// estimate.
-template <std::size_t kMostOpen, int kMostRise>
+/// lie at the square's edge.
 class BoundedSearch {
  public:
   static constexpr int kSide = 160;
@@ -48,6 +46,8 @@ class BoundedSearch {
   }
 
  private:
+  static constexpr std::size_t kMostOpen = 3072;  ///< nodes that are open at a time
+  static constexpr int kMostRise = 255;           ///< by which a move may raise cost + estimate
   static constexpr std::size_t kBuckets = kMostRise + 1;
   static constexpr std::uint16_t kNone = 0xfff;
   static constexpr std::uint8_t kUnreached = 15;
@@ -81,9 +81,8 @@ class BoundedSearch {
   int target_ = 0;
 };
 
-template <std::size_t kMostOpen, int kMostRise>
 template <typename World>
-bool BoundedSearch<kMostOpen, kMostRise>::find(const World& world, CellIndex start) {
+bool BoundedSearch::find(const World& world, CellIndex start) {
   clear();
   int total = world.estimate(start);
   push(total, nodeOf(start), kRoot);
@@ -111,22 +110,19 @@ bool BoundedSearch<kMostOpen, kMostRise>::find(const World& world, CellIndex sta
   return false;
 }
 
-template <std::size_t kMostOpen, int kMostRise>
-void BoundedSearch<kMostOpen, kMostRise>::clear() {
+inline void BoundedSearch::clear() {
   std::fill(reached_by_.begin(), reached_by_.end(), std::uint8_t{kUnreached << 4 | kUnreached});
   free_ = kNone;
   fresh_ = 0;
   buckets_.fill(kNone);
 }
 
-template <std::size_t kMostOpen, int kMostRise>
-void BoundedSearch<kMostOpen, kMostRise>::setReachedBy(int node, unsigned direction) {
+inline void BoundedSearch::setReachedBy(int node, unsigned direction) {
   std::uint8_t& both = reached_by_[static_cast<std::size_t>(node / 2)];
   both = static_cast<std::uint8_t>((both & (node % 2 == 0 ? 0xf0u : 0x0fu)) | direction << (node % 2 * 4));
 }
 
-template <std::size_t kMostOpen, int kMostRise>
-void BoundedSearch<kMostOpen, kMostRise>::push(int total, int node, std::size_t direction) {
+inline void BoundedSearch::push(int total, int node, std::size_t direction) {
   if (free_ == kNone && fresh_ == kMostOpen) return;
   std::uint16_t& bucket = buckets_[static_cast<std::size_t>(total) % kBuckets];
   const auto entry = free_ != kNone ? free_ : static_cast<std::uint16_t>(fresh_++);
@@ -138,8 +134,7 @@ void BoundedSearch<kMostOpen, kMostRise>::push(int total, int node, std::size_t 
   bucket = entry;
 }
 
-template <std::size_t kMostOpen, int kMostRise>
-int BoundedSearch<kMostOpen, kMostRise>::pop(std::uint16_t* bucket) {
+inline int BoundedSearch::pop(std::uint16_t* bucket) {
   const std::uint16_t entry = *bucket;
   OpenNode& open = open_[entry];
   *bucket = static_cast<std::uint16_t>(open.next);
@@ -152,8 +147,7 @@ int BoundedSearch<kMostOpen, kMostRise>::pop(std::uint16_t* bucket) {
   return node;
 }
 
-template <std::size_t kMostOpen, int kMostRise>
-void BoundedSearch<kMostOpen, kMostRise>::path(std::size_t most, std::vector<std::uint8_t>* directions) const {
+inline void BoundedSearch::path(std::size_t most, std::vector<std::uint8_t>* directions) const {
   const auto before = [&](int later) { return later - nodeOf(kGridRaySteps[reachedBy(later)]); };
   directions->clear();
   std::size_t steps = 0;
