@@ -9,6 +9,12 @@
 namespace lstm_planner {
 namespace {
 
+// As the papers propose.
+constexpr double kBeta1 = 0.9;    ///< Adam's decay of the mean of gradients
+constexpr double kBeta2 = 0.999;  ///< and of that of squared gradients
+constexpr double kAdamEpsilon = 1e-8;
+constexpr double kAdaDeltaEpsilon = 1e-6;
+
 void require(bool condition, const char* name, double value, const char* expected) {
   if (condition) return;
   std::ostringstream message;
@@ -16,7 +22,6 @@ void require(bool condition, const char* name, double value, const char* expecte
   throw std::invalid_argument(message.str());
 }
 
-bool isShareBelowOne(double value) { return value >= 0.0 && value < 1.0; }
 bool isFiniteAtLeastZero(double value) { return std::isfinite(value) && value >= 0.0; }
 
 }  // namespace
@@ -24,13 +29,8 @@ bool isFiniteAtLeastZero(double value) { return std::isfinite(value) && value >=
 void validate(const OptimiserParameters& parameters) {
   require(std::isfinite(parameters.learning_rate) && parameters.learning_rate > 0.0, "learning_rate",
           parameters.learning_rate, "a positive number");
-  require(isShareBelowOne(parameters.momentum), "momentum", parameters.momentum, "a number in [0, 1)");
-  require(isShareBelowOne(parameters.adam_beta1), "adam_beta1", parameters.adam_beta1, "a number in [0, 1)");
-  require(isShareBelowOne(parameters.adam_beta2), "adam_beta2", parameters.adam_beta2, "a number in [0, 1)");
-  require(std::isfinite(parameters.adam_epsilon) && parameters.adam_epsilon > 0.0, "adam_epsilon",
-          parameters.adam_epsilon, "a positive number");
-  require(std::isfinite(parameters.adadelta_epsilon) && parameters.adadelta_epsilon > 0.0, "adadelta_epsilon",
-          parameters.adadelta_epsilon, "a positive number");
+  require(parameters.momentum >= 0.0 && parameters.momentum < 1.0, "momentum", parameters.momentum,
+          "a number in [0, 1)");
   require(isFiniteAtLeastZero(parameters.decay_rate), "decay_rate", parameters.decay_rate, "a number of at least 0");
   require(isFiniteAtLeastZero(parameters.max_gradient_norm), "max_gradient_norm", parameters.max_gradient_norm,
           "a number of at least 0");
@@ -104,26 +104,26 @@ void Optimiser::updateByMomentum(const Eigen::VectorXf& gradient, double learnin
 }
 
 void Optimiser::updateByAdam(const Eigen::VectorXf& gradient, double learning_rate, Eigen::VectorXf& parameters) {
-  const float beta1 = static_cast<float>(parameters_.adam_beta1);
-  const float beta2 = static_cast<float>(parameters_.adam_beta2);
+  const float beta1 = static_cast<float>(kBeta1);
+  const float beta2 = static_cast<float>(kBeta2);
   // Rounded after the subtraction: 1 - 0.999 in single precision is off by 5e-5 of its value.
-  const float share1 = static_cast<float>(1.0 - parameters_.adam_beta1);
-  const float share2 = static_cast<float>(1.0 - parameters_.adam_beta2);
+  const float share1 = static_cast<float>(1.0 - kBeta1);
+  const float share2 = static_cast<float>(1.0 - kBeta2);
   state_.velocity = beta1 * state_.velocity + share1 * gradient;
   state_.squared_average = beta2 * state_.squared_average + share2 * gradient.cwiseAbs2();
   // Both means start at zero; these factors take that out again.
   const double count = static_cast<double>(state_.updates);
-  const float mean_correction = static_cast<float>(1.0 / (1.0 - std::pow(parameters_.adam_beta1, count)));
-  const float square_correction = static_cast<float>(1.0 / (1.0 - std::pow(parameters_.adam_beta2, count)));
+  const float mean_correction = static_cast<float>(1.0 / (1.0 - std::pow(kBeta1, count)));
+  const float square_correction = static_cast<float>(1.0 / (1.0 - std::pow(kBeta2, count)));
   parameters.array() -=
       static_cast<float>(learning_rate) * mean_correction * state_.velocity.array() /
-      ((square_correction * state_.squared_average.array()).sqrt() + static_cast<float>(parameters_.adam_epsilon));
+      ((square_correction * state_.squared_average.array()).sqrt() + static_cast<float>(kAdamEpsilon));
 }
 
 void Optimiser::updateByAdaDelta(const Eigen::VectorXf& gradient, double learning_rate, Eigen::VectorXf& parameters) {
   const float rho = static_cast<float>(parameters_.momentum);
   const float share = static_cast<float>(1.0 - parameters_.momentum);
-  const float epsilon = static_cast<float>(parameters_.adadelta_epsilon);
+  const float epsilon = static_cast<float>(kAdaDeltaEpsilon);
   state_.squared_average = rho * state_.squared_average + share * gradient.cwiseAbs2();
   const Eigen::VectorXf update =
       (gradient.array() * ((state_.velocity.array() + epsilon) / (state_.squared_average.array() + epsilon)).sqrt())

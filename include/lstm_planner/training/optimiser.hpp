@@ -33,11 +33,7 @@ struct OptimiserParameters {
   OptimiserKind kind = OptimiserKind::kAdam;
   double learning_rate = 0.005;  ///< alpha, > 0
   LearningRateSchedule schedule = LearningRateSchedule::kCosine;
-  double momentum = 0.95;          ///< in [0, 1); kMomentum: mu; kAdaDelta: rho, decay of its two means
-  double adam_beta1 = 0.9;         ///< decay of the mean of gradients, in [0, 1)
-  double adam_beta2 = 0.999;       ///< decay of the mean of squared gradients, in [0, 1)
-  double adam_epsilon = 1e-8;      ///< > 0
-  double adadelta_epsilon = 1e-6;  ///< > 0
+  double momentum = 0.95;  ///< in [0, 1); kMomentum: mu; kAdaDelta: rho, decay of its two means
   Decay decay = Decay::kNone;
   double decay_rate = 1e-5;      ///< beta, >= 0
   double max_gradient_norm = 1;  ///< gradients of the error (without decay) longer than this are shortened; 0: never
