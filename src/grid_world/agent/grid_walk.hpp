@@ -19,9 +19,9 @@ class GridWalk {
 
   CellIndex cell() const { return cell_; }
   GridObservation observe() const { return {cell_, goal_, ranges_->at(cell_)}; }
-  /// Within so many cells of the goal, along rows and columns.
-  bool isNear(int distance) const {
-    return std::max(std::abs(goal_.column - cell_.column), std::abs(goal_.row - cell_.row)) <= distance;
+  /// Within one cell of the goal, along rows and columns.
+  bool hasArrived() const {
+    return std::max(std::abs(goal_.column - cell_.column), std::abs(goal_.row - cell_.row)) <= 1;
   }
 
   void move(int direction) {

@@ -53,7 +53,7 @@ GridEpisode::End run(const PassableGrid& grid, const GridEpisodeRules& rules, Gr
   std::optional<CircleWatch> watch;
   if (rules.max_steps == 0) watch.emplace(grid);
   if (path != nullptr) path->assign(1, walk->cell());
-  while (!walk->isNear(rules.arrival_distance)) {
+  while (!walk->hasArrived()) {
     if (walk->moves() == max_steps || (watch && watch->isCircling(walk->cell()))) return GridEpisode::End::kTimeout;
     const GridObservation observation = walk->observe();
     agent->observe(observation);

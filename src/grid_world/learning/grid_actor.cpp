@@ -40,7 +40,7 @@ GridActor::Outcome GridActor::step(int direction, const GridQLearningParameters&
   walked_ += moveLength(direction);
   previous_direction_ = direction;
   Outcome outcome;
-  outcome.arrived = walk_.isNear(1);
+  outcome.arrived = walk_.hasArrived();
   outcome.timed_out = !outcome.arrived && walk_.moves() >= parameters.max_steps;
   outcome.reward = static_cast<double>(before - distance()) - parameters.step_cost;
   if (outcome.arrived) {

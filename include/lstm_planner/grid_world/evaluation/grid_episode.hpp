@@ -11,11 +11,11 @@
 
 namespace lstm_planner {
 
-/// How an episode in a grid is run and when it ends (thesis 3.3).
+/// How an episode in a grid is run and when it ends besides arriving within one cell of the goal, along rows and
+/// columns (thesis 3.3).
 struct GridEpisodeRules {
   CornerCutting corner_cutting = CornerCutting::kForbidden;
   std::int64_t max_steps = 1000;  ///< 0 = no limit but gridStepBound(), and the end of walks in circles
-  int arrival_distance = 1;       ///< cells, the larger of the distances along rows and columns
 };
 
 /// Steps after which an episode without limit is given up all the same, so that an agent that runs in circles ends:
@@ -31,7 +31,7 @@ constexpr std::int64_t circlingSteps(std::int64_t cells_entered) { return 4000 +
 struct GridEpisode {
   /// How the episode ended.
   enum class End : std::uint8_t {
-    kArrived,    ///< at the goal's cell
+    kArrived,    ///< within one cell of the goal
     kCollision,  ///< tried to move into something blocked, which ends the episode
     kTimeout,    ///< after the most steps that are allowed
     kNoPath,     ///< the agent says that the goal cannot be reached

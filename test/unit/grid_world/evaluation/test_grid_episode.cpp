@@ -31,13 +31,6 @@ TEST(GridEpisode, EndsOneCellBeforeTheGoal) {
   EXPECT_EQ(path.back(), (CellIndex{8, 0}));
 }
 
-TEST(GridEpisode, ArrivesAtTheGoalItselfWhenAskedTo) {
-  ScriptedAgent agent({kEast});
-  GridEpisodeRules rules;
-  rules.arrival_distance = 0;
-  EXPECT_EQ(run(corridor(), {0, 0}, {9, 0}, &agent, rules).steps(), 9);
-}
-
 TEST(GridEpisode, CountsDiagonalMovesApart) {
   ScriptedAgent agent({kNorthEast});
   const PassableGrid open(6, 6, true);
@@ -151,9 +144,7 @@ TEST(GridEpisode, LetsAStarTravelTheOptimumLessTheLastCell) {
   const PassableGrid grid = gridFrom({"...@....", ".@.@.@@.", ".@...@..", ".@@@@@.@", "........"});
   AStarAgent agent(grid);
   GridEpisode episode = run(grid, {0, 0}, {7, 0}, &agent);
-  GridEpisodeRules exact;
-  exact.arrival_distance = 0;
-  const double optimum = run(grid, {0, 0}, {7, 0}, &agent, exact).length();
+  const double optimum = AStar(grid).find({0, 0}, {7, 0}).path.length();
   episode.optimal_length = optimum;
   EXPECT_EQ(episode.end, GridEpisode::End::kArrived);
   EXPECT_DOUBLE_EQ(episode.length(), optimum - 1.0);
