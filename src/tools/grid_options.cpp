@@ -36,7 +36,7 @@ void addGridOptions(GridOptions* options, CommandLine* line) {
   GridEpisodeRules& rules = options->evaluation.rules;
   GridAgentOptions& agent = options->agent;
   selection.count = 0;
-  agent.draw_after = kDrawAfter;
+  agent.network.draw_after = kDrawAfter;
   line->addFiles(
           "scenarios", &options->folders,
           "folders: sets of the MovingAI benchmark (with Maps and Scenarios in them), their Scenarios folders, or "
@@ -55,15 +55,16 @@ void addGridOptions(GridOptions* options, CommandLine* line) {
   line->addFlag("corner-cutting", &rules.corner_cutting, CornerCutting::kAllowed,
                 "diagonal moves may pass blocked cells at their sides");
   line->addFlag("thesis-terrain", &selection.rule, PassableRule::kThesis, "only '.' is passable, not 'G' and 'S'");
-  line->addFlag("no-shield", &agent.shield, false, "a network may choose moves into obstacles, which end the episode");
+  line->addFlag("no-shield", &agent.network.shield, false,
+                "a network may choose moves into obstacles, which end the episode");
   line->addFlag(
-      "no-escape", &agent.guided, false,
+      "no-escape", &agent.network.guided, false,
       "nothing is remembered for a network, and no bound limits its detours: the network and the shield alone");
-  line->add("detour-allowance", &agent.detour.allowance, kAnyLength,
+  line->add("detour-allowance", &agent.network.detour.allowance, kAnyLength,
             "cells; the regrets of a network's moves since the start, against the remembered path, may be as large as "
             "this and --detour-share of the path walked");
-  line->add("detour-share", &agent.detour.share, kAnyShare, "share of the path walked; see --detour-allowance");
-  line->add("draw-after", &agent.draw_after, {0, 1e9},
+  line->add("detour-share", &agent.network.detour.share, kAnyShare, "share of the path walked; see --detour-allowance");
+  line->add("draw-after", &agent.network.draw_after, {0, 1e9},
             "with --no-escape: steps without progress after which a network's moves are drawn with the probabilities "
             "that it gives, so that it leaves circles; 0 = never");
   line->addChoice("heuristic", &agent.heuristic.kind, kHeuristicNames,

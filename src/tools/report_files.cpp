@@ -48,9 +48,9 @@ GridAgentOptions optionsFrom(const std::string& text, GridAgentOptions options, 
   }
   while (std::getline(parts, part, ',')) {
     if (part == "no-shield") {
-      options.shield = false;
+      options.network.shield = false;
     } else if (part == "no-escape") {
-      options.guided = false;
+      options.network.guided = false;
     } else {
       throw std::invalid_argument("agent '" + text + "' has the flag '" + part + "', expected no-shield or no-escape");
     }

@@ -80,8 +80,8 @@ ReportAgent networkAgent(const std::string& name, const std::string& file, bool 
   options.agent = "network";
   options.model = file;
   options.corner_cutting = CornerCutting::kAllowed;
-  options.shield = shield;
-  options.guided = false;
+  options.network.shield = shield;
+  options.network.guided = false;
   return {{name, gridAgentMaker(options)}, false};
 }
 

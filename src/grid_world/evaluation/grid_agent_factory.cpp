@@ -56,11 +56,7 @@ GridAgentMaker networkMaker(const GridAgentOptions& options) {
   if (options.model.empty()) {
     throw std::invalid_argument("agent " + options.agent + " has no model, expected an ONNX file");
   }
-  NetworkGridAgent::Options settings;
-  settings.shield = options.shield;
-  settings.guided = options.guided;
-  settings.draw_after = options.draw_after;
-  settings.detour = options.detour;
+  NetworkGridAgent::Options settings = options.network;
   settings.corner_cutting = options.corner_cutting;
   const auto model = std::make_shared<const Model>(readModelFile(options.model));
   try {
