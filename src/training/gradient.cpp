@@ -6,7 +6,7 @@
 #include <string>
 
 #include "lstm_planner/training/confusion.hpp"
-#include "lstm_planner/training/lane_kernels.hpp"
+#include "training/lane_kernels.hpp"
 
 namespace lstm_planner {
 namespace {

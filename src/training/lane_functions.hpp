@@ -4,7 +4,7 @@
 // Training is sensitive to the last bit: these functions round as they always did, unlike those of the inference.
 
 #include "lstm_planner/common/simd.hpp"
-#include "lstm_planner/training/lane_kernels.hpp"
+#include "training/lane_kernels.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lstm_planner/training/lane_kernels.hpp"
+#include "training/lane_kernels.hpp"
 
 namespace lstm_planner {
 

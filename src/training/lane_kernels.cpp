@@ -1,4 +1,4 @@
-#include "lstm_planner/training/lane_kernels.hpp"
+#include "training/lane_kernels.hpp"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lstm_planner/network/layers.hpp"
-#include "lstm_planner/training/lane_kernels.hpp"
+#include "training/lane_kernels.hpp"
 
 namespace lstm_planner {
 

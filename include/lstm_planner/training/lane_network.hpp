@@ -11,14 +11,14 @@ namespace lstm_planner {
 class LaneLayer;
 
 /// A network over many lanes at once, step by step forward through a window of time and back through it: sequences that
-/// are known (SequenceGradient), or agents whose next input depends on the last output (reinforcement learning). See
-/// lane_kernels.hpp for the layout of values (a row of lanes a value).
+/// are known (SequenceGradient), or agents whose next input depends on the last output (reinforcement learning). A
+/// value is a row with a number for each lane.
 ///
 /// All layers but a softmax. The hidden state is carried from window to window; errors go back to the window's first
 /// step (truncated back-propagation).
 class LaneNetwork {
  public:
-  /// `lanes` is a multiple of kLaneGroup, `steps` the window's length. Throws std::invalid_argument for a softmax,
+  /// `lanes` is a multiple of 16, `steps` the window's length. Throws std::invalid_argument for a softmax,
   /// and for other lanes or steps.
   LaneNetwork(const LayerStack& layers, int lanes, int steps);
   LaneNetwork(LaneNetwork&&) noexcept;

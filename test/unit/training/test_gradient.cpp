@@ -8,9 +8,9 @@
 #include "lstm_planner/network/network.hpp"
 #include "lstm_planner/training/gradient.hpp"
 #include "lstm_planner/training/initialisation.hpp"
-#include "lstm_planner/training/lane_kernels.hpp"
 #include "lstm_planner/training/lane_network.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
+#include "training/lane_kernels.hpp"
 #include "unit/training/double_network.hpp"
 
 namespace lstm_planner::test_gradient {
