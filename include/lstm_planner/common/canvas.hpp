@@ -16,7 +16,6 @@ class Canvas {
   Canvas(const cv::Mat& cells, int longest_side);
 
   cv::Mat& image() { return image_; }
-  const cv::Mat& image() const { return image_; }
   double scale() const { return scale_; }  ///< pixels a cell
 
   /// Of a place in pixels.
