@@ -13,9 +13,9 @@
 #include <type_traits>
 #include <vector>
 
+#include "dataset/numpy_array.hpp"
 #include "dataset/step_quantities.hpp"
 #include "lstm_planner/common/csv_writer.hpp"
-#include "lstm_planner/common/numpy_array.hpp"
 #include "lstm_planner/common/output_file.hpp"
 #include "lstm_planner/dataset/dataset.hpp"
 

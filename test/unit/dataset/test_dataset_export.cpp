@@ -3,8 +3,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "dataset/numpy_array.hpp"
 #include "dataset/step_quantities.hpp"
-#include "lstm_planner/common/numpy_array.hpp"
 #include "lstm_planner/dataset/dataset_export.hpp"
 #include "support/shell.hpp"
 #include "unit/dataset/dataset_fixtures.hpp"

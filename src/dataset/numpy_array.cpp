@@ -1,4 +1,4 @@
-#include "lstm_planner/common/numpy_array.hpp"
+#include "dataset/numpy_array.hpp"
 
 #include <cstdint>
 #include <stdexcept>
