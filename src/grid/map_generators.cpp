@@ -217,7 +217,7 @@ PassableGrid generateCaves(const CaveParameters& parameters, std::uint64_t seed)
 }
 
 void validate(const MazeParameters& parameters) {
-  checkParameter(parameters.corridor_width >= 1, "corridor_width", parameters.corridor_width, "at least 1");
+  checkAtLeastOne("corridor_width", parameters.corridor_width);
   checkMapSize(parameters.columns, parameters.rows, 2);
   checkParameter(parameters.corridor_width < std::min(parameters.columns, parameters.rows), "corridor_width",
                  parameters.corridor_width, "less than the map's columns and rows");
@@ -236,7 +236,7 @@ PassableGrid generateMaze(const MazeParameters& parameters, std::uint64_t seed) 
 }
 
 void validate(const RoomParameters& parameters) {
-  checkParameter(parameters.room_size >= 1, "room_size", parameters.room_size, "at least 1");
+  checkAtLeastOne("room_size", parameters.room_size);
   checkMapSize(parameters.columns, parameters.rows, 2);
   checkParameter(parameters.room_size < std::min(parameters.columns, parameters.rows), "room_size",
                  parameters.room_size, "less than the map's columns and rows");

@@ -173,8 +173,8 @@ std::unique_ptr<DriveActorCritic> makeDriveActorCritic(const DriveActorCriticPar
 
 DriveReinforcement::DriveReinforcement(int iterations, int judgements, DriveActorCritic* learner)
     : iterations_(iterations), interval_(std::max(1, iterations / std::max(1, judgements))), learner_(*learner) {
-  checkParameter(iterations >= 1, "iterations", iterations, "at least 1");
-  checkParameter(judgements >= 1, "judgements", judgements, "at least 1");
+  checkAtLeastOne("iterations", iterations);
+  checkAtLeastOne("judgements", judgements);
 }
 
 }  // namespace lstm_planner

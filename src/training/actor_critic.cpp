@@ -29,9 +29,9 @@ OptimiserParameters optimiserParameters(double learning_rate, double max_norm) {
 void validate(const ActorCriticParameters& parameters) {
   visitActorCriticParameters(parameters, RangeCheck());
   checkParameter(parameters.discount > 0.0, "discount", parameters.discount, "a number in (0, 1]");
-  checkParameter(parameters.window >= 1, "window", parameters.window, "at least 1");
-  checkParameter(parameters.max_steps >= 1, "max_steps", parameters.max_steps, "at least 1");
-  checkParameter(parameters.threads >= 1, "threads", parameters.threads, "at least 1");
+  checkAtLeastOne("window", parameters.window);
+  checkAtLeastOne("max_steps", parameters.max_steps);
+  checkAtLeastOne("threads", parameters.threads);
 }
 
 ActorCritic::ActorCritic(const ActorCriticParameters& parameters, int updates, const LayerStack& policy,

@@ -103,19 +103,16 @@ std::vector<MemoryNetwork> memoryNetworks() {
 }
 
 void validate(const MemoryComparisonParameters& parameters) {
-  const auto check_positive = [](const char* name, int value) {
-    checkParameter(value >= 1, name, value, "at least 1");
-  };
   if (parameters.delays.empty()) throw std::invalid_argument("delays is empty, expected at least one");
-  for (const int delay : parameters.delays) check_positive("delays", delay);
+  for (const int delay : parameters.delays) checkAtLeastOne("delays", delay);
   checkParameter(std::count(parameters.delays.begin(), parameters.delays.end(), parameters.shown_delay) > 0,
                  "shown_delay", parameters.shown_delay, "one of the delays");
-  check_positive("sequences", parameters.sequences);
-  check_positive("measured_sequences", parameters.measured_sequences);
-  check_positive("epochs", parameters.epochs);
-  check_positive("batch", parameters.batch);
-  check_positive("seeds", parameters.seeds);
-  check_positive("threads", parameters.threads);
+  checkAtLeastOne("sequences", parameters.sequences);
+  checkAtLeastOne("measured_sequences", parameters.measured_sequences);
+  checkAtLeastOne("epochs", parameters.epochs);
+  checkAtLeastOne("batch", parameters.batch);
+  checkAtLeastOne("seeds", parameters.seeds);
+  checkAtLeastOne("threads", parameters.threads);
   checkPositive("learning_rate", parameters.learning_rate);
 }
 

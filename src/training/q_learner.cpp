@@ -31,9 +31,9 @@ OptimiserParameters optimiserParameters(const QLearningParameters& parameters) {
 void validate(const QLearningParameters& parameters) {
   visitQLearningParameters(parameters, RangeCheck());
   checkParameter(parameters.discount < 1.0, "discount", parameters.discount, "a number in [0, 1)");
-  checkParameter(parameters.window >= 1, "window", parameters.window, "at least 1");
-  checkParameter(parameters.max_steps >= 1, "max_steps", parameters.max_steps, "at least 1");
-  checkParameter(parameters.threads >= 1, "threads", parameters.threads, "at least 1");
+  checkAtLeastOne("window", parameters.window);
+  checkAtLeastOne("max_steps", parameters.max_steps);
+  checkAtLeastOne("threads", parameters.threads);
   validate(optimiserParameters(parameters));
 }
 

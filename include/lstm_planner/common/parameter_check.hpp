@@ -37,6 +37,10 @@ inline void checkPositive(const std::string& name, double value) {
   checkParameter(value > 0.0, name, value, "a positive number");
 }
 
+inline void checkAtLeastOne(const std::string& name, int value) {
+  checkParameter(value >= 1, name, value, "at least 1");
+}
+
 inline void checkNotNegative(const std::string& name, double value) {
   checkParameter(value >= 0.0, name, value, "a number that is not negative");
 }

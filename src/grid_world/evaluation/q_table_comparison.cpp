@@ -171,19 +171,16 @@ class Contest {
 }  // namespace
 
 void validate(const QTableComparisonParameters& parameters) {
-  const auto check_positive = [](const char* name, int value) {
-    checkParameter(value >= 1, name, value, "at least 1");
-  };
   validate(parameters.table);
   checkParameter(parameters.size >= kSmallestSize, "size", parameters.size, "at least 8 cells");
-  check_positive("maps", parameters.maps);
-  check_positive("starts", parameters.starts);
-  check_positive("max_steps", parameters.max_steps);
-  check_positive("threads", parameters.threads);
+  checkAtLeastOne("maps", parameters.maps);
+  checkAtLeastOne("starts", parameters.starts);
+  checkAtLeastOne("max_steps", parameters.max_steps);
+  checkAtLeastOne("threads", parameters.threads);
   if (parameters.episodes.empty() || !std::is_sorted(parameters.episodes.begin(), parameters.episodes.end())) {
     throw std::invalid_argument("episodes are none or not rising, expected one number or more that rise");
   }
-  check_positive("episodes", parameters.episodes.front());
+  checkAtLeastOne("episodes", parameters.episodes.front());
 }
 
 std::vector<QTableOutcome> compareQTables(const QTableComparisonParameters& parameters,

@@ -78,7 +78,7 @@ void validate(const GridCourseParameters& parameters) {
                  "a number in [0, 1]");
   checkParameter(parameters.dead_end_share >= 0.0 && parameters.dead_end_share <= 1.0, "dead_end_share",
                  parameters.dead_end_share, "a number in [0, 1]");
-  checkParameter(parameters.goals >= 1, "goals", parameters.goals, "at least 1");
+  checkAtLeastOne("goals", parameters.goals);
 }
 
 CellIndex deadEndBelow(const PassableGrid& grid, CellIndex start, CellIndex goal, CornerCutting corner_cutting) {

@@ -149,7 +149,7 @@ void validate(const GridQLearningParameters& parameters) {
   visitGridQLearningParameters(parameters, RangeCheck());
   validate(static_cast<const QLearningParameters&>(parameters));
   validate(parameters.course);
-  checkParameter(parameters.epochs >= 1, "epochs", parameters.epochs, "at least 1");
+  checkAtLeastOne("epochs", parameters.epochs);
   checkParameter(parameters.updates >= parameters.epochs, "updates", parameters.updates,
                  "at least one for each of the epochs");
 }

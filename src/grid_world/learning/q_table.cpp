@@ -15,7 +15,7 @@ void validate(const QTableParameters& parameters) {
                  "a number in (0, 1]");
   checkParameter(parameters.exploration >= 0.0 && parameters.exploration <= 1.0, "exploration", parameters.exploration,
                  "a share in [0, 1]");
-  checkParameter(parameters.max_steps >= 1, "max_steps", parameters.max_steps, "at least 1");
+  checkAtLeastOne("max_steps", parameters.max_steps);
 }
 
 QTable::QTable(const QTableParameters& parameters, const PassableGrid& grid, CellIndex goal)

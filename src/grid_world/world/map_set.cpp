@@ -20,7 +20,7 @@ void checkName(const std::string& name) {
 
 void validate(const MapSet& set) {
   checkName(set.name);
-  checkParameter(set.count >= 1, "count", set.count, "at least 1");
+  checkAtLeastOne("count", set.count);
   validate(set.scenarios);
 }
 
