@@ -4,12 +4,6 @@
 
 namespace lstm_planner {
 
-void GreedyAgent::start(CellIndex start, CellIndex goal) {
-  observation_ = {};
-  observation_.cell = start;
-  observation_.goal = goal;
-}
-
 int GreedyAgent::decide() {
   int best = kNoPath;
   OctileDistance best_distance;

@@ -11,7 +11,7 @@ class GreedyAgent : public GridAgent {
  public:
   explicit GreedyAgent(CornerCutting corner_cutting = CornerCutting::kForbidden) : corner_cutting_(corner_cutting) {}
 
-  void start(CellIndex start, CellIndex goal) override;
+  void start(CellIndex start, CellIndex goal) override { observation_ = {start, goal, {}}; }
   void observe(const GridObservation& observation) override { observation_ = observation; }
   /// kNoPath when no move is possible.
   int decide() override;
