@@ -1,6 +1,5 @@
 #include "grid/map_image.hpp"
 
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <iomanip>

@@ -5,7 +5,6 @@
 #include <limits>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 
 #include "lstm_planner/common/csv_writer.hpp"
 #include "lstm_planner/common/gnuplot.hpp"

@@ -1,8 +1,6 @@
 #include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
 
 #include <optional>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "grid_world/learning/grid_q_learning_tile.hpp"

@@ -1,6 +1,5 @@
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 
-#include <cmath>
 #include <limits>
 
 namespace lstm_planner {

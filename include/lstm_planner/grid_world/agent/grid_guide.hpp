@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 
 #include "lstm_planner/grid_world/agent/area_planner.hpp"
 #include "lstm_planner/grid_world/agent/greedy_agent.hpp"

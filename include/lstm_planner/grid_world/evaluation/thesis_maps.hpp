@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "lstm_planner/grid_world/evaluation/grid_tasks.hpp"
