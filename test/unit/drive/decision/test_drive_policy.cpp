@@ -106,7 +106,7 @@ TEST(DrivePolicy, SaysWhatDoesNotFit) {
   const std::string step = complaintOf<std::invalid_argument>([&] { checkFits(description, 0.5); });
   EXPECT_TRUE(contains(step, "step/length") && contains(step, "0.5") && contains(step, "0.4")) << step;
   const std::string radius = sizeWarning(description, 0.3);
-  EXPECT_TRUE(contains(radius, "shield/footprint_radius") && contains(radius, "0.3")) << radius;
+  EXPECT_TRUE(contains(radius, "this robot's is 0.3")) << radius;
   EXPECT_FALSE(reachesFarEnough(description, 2.9));
   const std::string range = reachProblem(description, 2.9);
   EXPECT_TRUE(contains(range, "2.9") && contains(range, "range cap")) << range;
