@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lstm_planner/ros/common/conversions.hpp"
+#include "lstm_planner/ros/common/scanner_mounts.hpp"
 
 namespace lstm_planner {
 
@@ -21,11 +22,7 @@ bool OdometryBase::setFrame(const std::string& frame) {
 }
 
 bool OdometryBase::place(const Pose2& base) {
-  constexpr double kSamePlace = 0.001;      // m
-  constexpr double kSameDirection = 0.002;  // rad
-  if (distanceBetween(base, base_) <= kSamePlace && std::abs(normalizeAngle(base.yaw - base_.yaw)) <= kSameDirection) {
-    return false;
-  }
+  if (!differ(base, base_)) return false;
   base_ = base;
   return true;
 }

@@ -11,15 +11,15 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr double kWarningPeriod = 30.0;   // s
-constexpr double kSamePlace = 0.001;      // m
-constexpr double kSameDirection = 0.002;  // rad
-
-bool differ(const Pose2& one, const Pose2& other) {
-  return distanceBetween(one, other) > kSamePlace || std::abs(normalizeAngle(one.yaw - other.yaw)) > kSameDirection;
-}
+constexpr double kWarningPeriod = 30.0;  // s
 
 }  // namespace
+
+bool differ(const Pose2& one, const Pose2& other) {
+  constexpr double kSamePlace = 0.001;      // m
+  constexpr double kSameDirection = 0.002;  // rad
+  return distanceBetween(one, other) > kSamePlace || std::abs(normalizeAngle(one.yaw - other.yaw)) > kSameDirection;
+}
 
 void ScannerMounts::setBaseFrame(const std::string& base_frame) {
   if (base_frame.empty() || base_frame == base_frame_) return;

@@ -46,7 +46,6 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
                      const std::string& global_frame, const std::string& base_frame, costmap_2d::Costmap2DROS* costmap)
     : parameters_(parameters),
       global_frame_(frameName(global_frame)),
-      footprint_(footprintOf(parameters.agent.shield)),
       agent_(policyOf(parameters, &model_problem_), parameters.agent),
       tf_listener_(&tf_, messages_.nodeHandle()),
       frames_(tf_, parameters.sensors.tf_timeout),
@@ -188,7 +187,7 @@ void PlanMaker::perceive(const SensorReading& reading) {
 
 void PlanMaker::warnOfReturnsInside() const {
   constexpr double kWarnPeriod = 10.0;  // s
-  const std::string inside = returnsInside(seen_.obstacles, footprint_);
+  const std::string inside = returnsInside(seen_.obstacles, agent_.shield().footprint());
   if (!inside.empty()) ROS_WARN_THROTTLE(kWarnPeriod, "the robot may stand for ever: %s", inside.c_str());
 }
 

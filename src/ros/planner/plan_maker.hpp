@@ -97,7 +97,6 @@ class PlanMaker {
   GlobalPlannerParameters parameters_;
   std::string global_frame_;
   std::string model_problem_;  ///< empty if the model can be used
-  Footprint footprint_;
   NavigationAgent agent_;
   ElasticBand band_;
 

@@ -10,6 +10,9 @@
 
 namespace lstm_planner {
 
+/// Whether a transform of a part of the robot has changed by more than rounding (1 mm, 0.002 rad).
+bool differ(const Pose2& one, const Pose2& other);
+
 /// It is not known where a scanner sits; what() says why.
 class MountUnknown : public std::runtime_error {
  public:
