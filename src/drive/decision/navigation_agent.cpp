@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "drive/decision/step_context.hpp"
+#include "drive/decision/step_leaders.hpp"
 #include "lstm_planner/drive/decision/arrival.hpp"
 #include "lstm_planner/drive/decision/observer.hpp"
 #include "lstm_planner/drive/perception/reach.hpp"
@@ -52,8 +54,8 @@ NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& para
       chosen_(parameters.leader),
       shield_(footprintOf(parameters.shield), parameters.shield.tight_clearance, parameters.shield.reach),
       out_of_view_(outOfViewOf(shield_)),
-      action_leader_(parameters),
-      escape_leader_(parameters.escape, parameters.shield),
+      action_choice_(parameters),
+      bug_algorithm_(parameters.escape, parameters.shield),
       replanner_(parameters.memory.enabled ? Boxed<Replanner>(Replanner(parameters.memory, parameters.shield))
                                            : Boxed<Replanner>()),
       bound_(parameters.detour),
@@ -160,7 +162,7 @@ void NavigationAgent::moveGoal(const Point2& goal) {
   if (!decision_.path_on.empty()) follow(&decision_.path_on.back());
   if (progress_.hasBest()) progress_.moveBest(distanceBetween(best_position_, goal));
   if (replanner_) replanner_->moveGoal(goal_, goal);
-  escape_leader_.moveGoal(goal_, goal);
+  bug_algorithm_.moveGoal(goal_, goal);
   goal_ = goal;
 }
 
@@ -245,7 +247,7 @@ void NavigationAgent::startFrom(const Situation& situation, const char* why) {
 void NavigationAgent::lead(Leader leader, const char* why) {
   if (leader == Leader::kEscape) {
     if (decision_.leader == leader) return;
-    escape_leader_.start();
+    bug_algorithm_.start();
   }
   decision_.leader = leader;
   decision_.why = why;
@@ -323,7 +325,7 @@ void NavigationAgent::decideStep(const Situation& situation) {
   decision_.path_on.clear();
   bound_.choose(0.0);
   if (!chooseGoalInSight(step)) {
-    chooseAsLed(step, answer);
+    decideAsLed(step, answer);
   }
   decision_.regret_used = bound_.used();
   decision_.regret_allowed = bound_.allowed(driven_);
@@ -377,23 +379,17 @@ double NavigationAgent::freeDistance(const Situation& situation, double directio
   return shield_.freeDistance({}, direction - situation.pose.yaw, limit, parameters_.shield.tight_clearance);
 }
 
-void NavigationAgent::chooseAsLed(const StepContext& step, Answer answer) {
-  if (leading().decide(step, answer)) return;
-  startFrom(step.situation, kNearerThanEver);
-  leading().decide(step, step.searchPath());
-}
-
-StepLeader& NavigationAgent::leading() {
-  switch (decision_.leader) {
-    case Leader::kNetwork:
-    case Leader::kGreedy:
-      return action_leader_;
-    case Leader::kRoute:
-      return route_leader_;
-    case Leader::kEscape:
-      return escape_leader_;
+void NavigationAgent::decideAsLed(const StepContext& step, Answer answer) {
+  if (decision_.leader == Leader::kEscape) {
+    if (leadAlongBoundary(step, &bug_algorithm_)) return;
+    startFrom(step.situation, kNearerThanEver);
+    answer = step.searchPath();
   }
-  return route_leader_;
+  if (decision_.leader == Leader::kRoute) {
+    leadAlongPath(step, answer);
+  } else {
+    leadByPreferences(step, answer, action_choice_);
+  }
 }
 
 StepContext NavigationAgent::contextOf(const Situation& situation) {

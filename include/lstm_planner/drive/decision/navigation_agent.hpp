@@ -10,21 +10,21 @@
 #include "lstm_planner/common/detour_bound.hpp"
 #include "lstm_planner/common/progress_watch.hpp"
 #include "lstm_planner/drive/collision/shield.hpp"
-#include "lstm_planner/drive/decision/action_leader.hpp"
+#include "lstm_planner/drive/decision/action_choice.hpp"
 #include "lstm_planner/drive/decision/agent_parameters.hpp"
 #include "lstm_planner/drive/decision/arrival.hpp"
+#include "lstm_planner/drive/decision/bug_algorithm.hpp"
 #include "lstm_planner/drive/decision/decision.hpp"
 #include "lstm_planner/drive/decision/drive_policy.hpp"
 #include "lstm_planner/drive/decision/drive_trace.hpp"
-#include "lstm_planner/drive/decision/escape_leader.hpp"
-#include "lstm_planner/drive/decision/route_leader.hpp"
 #include "lstm_planner/drive/decision/step_clock.hpp"
-#include "lstm_planner/drive/decision/step_leader.hpp"
 #include "lstm_planner/drive/local_map/replanner.hpp"
 #include "lstm_planner/drive/perception/out_of_view.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
 
 namespace lstm_planner {
+
+struct StepContext;
 
 /// Decides, step by step, where the robot goes: network -> shield -> bound.
 ///
@@ -147,8 +147,7 @@ class NavigationAgent {
   bool isFreeUpTo(const Situation& situation, double direction, double distance) const;
   double freeDistance(const Situation& situation, double direction, double limit) const;
   bool chooseGoalInSight(const StepContext& step);
-  void chooseAsLed(const StepContext& step, Answer answer);
-  StepLeader& leading();
+  void decideAsLed(const StepContext& step, Answer answer);
 
   DrivePolicy policy_;
   AgentParameters parameters_;
@@ -161,9 +160,8 @@ class NavigationAgent {
   Decision decision_;
   Shield shield_;
   std::optional<OutOfView> out_of_view_;  ///< none of a circle: what it turns away from it does not hit
-  ActionLeader action_leader_;
-  RouteLeader route_leader_;
-  EscapeLeader escape_leader_;
+  ActionChoice action_choice_;
+  BugAlgorithm bug_algorithm_;
   Boxed<Replanner> replanner_;  ///< none where nothing is to be remembered
   DetourBound bound_;
   DriveTrace trace_;

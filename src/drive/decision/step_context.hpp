@@ -43,14 +43,4 @@ struct StepContext {
   void lookAround() const;
 };
 
-/// Decides steps. A new leader is a class of its own, a value of Leader, and a line of NavigationAgent::leading().
-class StepLeader {
- public:
-  virtual ~StepLeader() = default;
-
-  /// Writes what the robot does to the step's decision. `answer`: of step.searchPath() in this situation. False, and
-  /// nothing is written, where this leader has done what it was for: another must lead.
-  virtual bool decide(const StepContext& step, Replanner::Answer answer) = 0;
-};
-
 }  // namespace lstm_planner

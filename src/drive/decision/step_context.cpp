@@ -1,4 +1,4 @@
-#include "lstm_planner/drive/decision/step_leader.hpp"
+#include "drive/decision/step_context.hpp"
 
 #include <algorithm>
 
