@@ -173,72 +173,71 @@ void NavigationAgent::restart() {
 }
 
 const Decision& NavigationAgent::decide() {
-  const Situation& situation = situation_;
   if (decision_.choice == Move::kNoPath) {
     return decision_;
   }
-  if (distanceBetween(situation.pose, decision_.destination) <= parameters_.goal_tolerance) {
-    arrive(situation);
+  if (distanceBetween(situation_.pose, decision_.destination) <= parameters_.goal_tolerance) {
+    arrive();
     return decision_;
   }
-  if (!clock_.hasStep() || stepIsOver(situation)) {
-    noteProgress(situation);
+  if (!clock_.hasStep() || stepIsOver()) {
+    noteProgress();
     losePatience();
-    startStep(situation);
-    decideStep(situation);
-  } else if (clock_.isStalled(situation)) {
+    startStep();
+    decideStep();
+  } else if (clock_.isStalled(situation_)) {
     if (decision_.on_route) {
       replanner_->blockAhead();
-      decideStep(situation);
+      decideStep();
     } else if (replanner_ && isOneStep(decision_)) {
-      replanner_->blockTowards({situation.pose.x, situation.pose.y}, decision_.waypoint);
-      decideStep(situation);
+      replanner_->blockTowards({situation_.pose.x, situation_.pose.y}, decision_.waypoint);
+      decideStep();
     } else {
-      contextOf(situation).lookAround();
+      context().lookAround();
     }
-  } else if (!pathIsFree(situation)) {
-    decideStep(situation);
+  } else if (!pathIsFree()) {
+    decideStep();
   }
   return decision_;
 }
 
-void NavigationAgent::arrive(const Situation& situation) {
+void NavigationAgent::arrive() {
   const Choice choice = countsAsArrival(decision_, goal_, parameters_) ? Move::kArrived : Move::kNoPath;
-  contextOf(situation).goTo(choice, directionTo(situation.pose, decision_.destination),
-                            distanceBetween(situation.pose, decision_.destination));
+  context().goTo(choice, directionTo(situation_.pose, decision_.destination),
+                 distanceBetween(situation_.pose, decision_.destination));
   decision_.path_on.clear();
 }
 
-bool NavigationAgent::stepIsOver(const Situation& situation) const {
+bool NavigationAgent::stepIsOver() const {
   if (decision_.choice == Leader::kEscape) {
     // Half way already, so that the robot need not slow down for the next bend.
-    return distanceBetween(situation.pose, decision_.waypoint) < parameters_.step.reached ||
-           clock_.moved(situation) >= 0.5 * parameters_.escape.follow_step;
+    return distanceBetween(situation_.pose, decision_.waypoint) < parameters_.step.reached ||
+           clock_.moved(situation_) >= 0.5 * parameters_.escape.follow_step;
   }
-  return clock_.isOver(situation, decision_.waypoint);
+  return clock_.isOver(situation_, decision_.waypoint);
 }
 
-bool NavigationAgent::pathIsFree(const Situation& situation) const {
+bool NavigationAgent::pathIsFree() {
   if (decision_.choice == Move::kLookAround) {
     return true;
   }
-  const double distance = std::min(distanceBetween(situation.pose, decision_.waypoint), parameters_.step.length);
-  const double direction = directionTo(situation.pose, decision_.waypoint);
-  return freeDistance(situation, direction, distance) >= distance - 0.02;
+  const double distance = std::min(distanceBetween(situation_.pose, decision_.waypoint), parameters_.step.length);
+  const double direction = directionTo(situation_.pose, decision_.waypoint);
+  return context().freeDistance(direction, distance) >= distance - 0.02;
 }
 
-void NavigationAgent::noteProgress(const Situation& situation) {
+void NavigationAgent::noteProgress() {
   const bool is_first = !progress_.hasBest();
-  const double driven = is_first ? 0.0 : clock_.moved(situation);
+  const double driven = is_first ? 0.0 : clock_.moved(situation_);
   driven_ += driven;
-  if (progress_.note(distanceBetween(situation.pose, goal_), driven)) {
-    startFrom(situation, is_first ? kNewGoal : kNearerThanEver);
+  if (progress_.note(distanceBetween(situation_.pose, goal_), driven)) {
+    startFrom(is_first ? kNewGoal : kNearerThanEver);
   }
 }
 
 /// The robot has never been nearer to the goal: the leader of the parameters leads from here.
-void NavigationAgent::startFrom(const Situation& situation, const char* why) {
-  best_position_ = {situation.pose.x, situation.pose.y};
+void NavigationAgent::startFrom(const char* why) {
+  best_position_ = {situation_.pose.x, situation_.pose.y};
   progress_.restart(distanceBetween(best_position_, goal_));
   if (replanner_) replanner_->noteProgress();
   lead(chosen_, why);
@@ -264,25 +263,25 @@ void NavigationAgent::losePatience() {
   if (!replanner_ && isOutOfPatience(1.0)) lead(Leader::kEscape, kNoProgress);
 }
 
-void NavigationAgent::startStep(const Situation& situation) {
+void NavigationAgent::startStep() {
   const double cell = policy_.description().encoder.position_cell;
-  const Observation observation = observe(situation, goal_, previousAction(), cell, &trace_);
+  const Observation observation = observe(situation_, goal_, previousAction(), cell, &trace_);
   imposed_action_.reset();
   advanceNetwork(observation);
-  bound_.endStep(drivenShare(situation));
-  clock_.start(situation);
+  bound_.endStep(drivenShare());
+  clock_.start(situation_);
   ++decision_.step;
   if (!step_listener_) return;
-  const std::optional<int> steered = step_listener_(situation, observation);
+  const std::optional<int> steered = step_listener_(situation_, observation);
   if (steered) imposed_action_ = steered;
 }
 
 /// Of the step that ends here. Turning counts, too: else a network that turns on the spot would never be stopped.
-double NavigationAgent::drivenShare(const Situation& situation) const {
+double NavigationAgent::drivenShare() const {
   if (!clock_.hasStep()) return 0.0;
   const double planned = std::max(kSamePlace, distanceBetween(clock_.pose(), decision_.waypoint));
-  const double turned = std::abs(normalizeAngle(situation.pose.yaw - clock_.pose().yaw));
-  return std::min(1.0, clock_.moved(situation) / planned + turned / kTurnOfAStep);
+  const double turned = std::abs(normalizeAngle(situation_.pose.yaw - clock_.pose().yaw));
+  return std::min(1.0, clock_.moved(situation_) / planned + turned / kTurnOfAStep);
 }
 
 double NavigationAgent::previousAction() const {
@@ -312,8 +311,8 @@ void NavigationAgent::advanceNetwork(const Observation& observation) {
   }
 }
 
-void NavigationAgent::decideStep(const Situation& situation) {
-  const StepContext step = contextOf(situation);
+void NavigationAgent::decideStep() {
+  const StepContext step = context();
   const Answer answer = step.searchPath();
   if (parameters_.escape.enabled && answer == Answer::kLost) {
     lead(Leader::kEscape, kMemoryWrong);
@@ -329,7 +328,7 @@ void NavigationAgent::decideStep(const Situation& situation) {
   }
   decision_.regret_used = bound_.used();
   decision_.regret_allowed = bound_.allowed(driven_);
-  decision_.goal_seems = judgeGoal(situation, answer);
+  decision_.goal_seems = judgeGoal(answer);
   if (decision_.on_route) {
     replanner_->pointsAhead(distanceBetween(clock_.pose(), decision_.waypoint), &decision_.path_on);
   } else if (!isOneStep(decision_)) {
@@ -337,52 +336,34 @@ void NavigationAgent::decideStep(const Situation& situation) {
   }
 }
 
-Decision::GoalSeems NavigationAgent::judgeGoal(const Situation& situation, Answer answer) const {
+Decision::GoalSeems NavigationAgent::judgeGoal(Answer answer) const {
   using GoalSeems = Decision::GoalSeems;
   if (!replanner_ || decision_.leader == Leader::kEscape) return GoalSeems::kReachable;
   if (answer == Answer::kLookAround || answer == Answer::kNoPath) {
-    const bool is_hidden = isHidden(replanner_->memory(), situation.pose, goal_, parameters_.goal_in_sight);
+    const bool is_hidden = isHidden(replanner_->memory(), situation_.pose, goal_, parameters_.goal_in_sight);
     return is_hidden ? GoalSeems::kInObstacle : GoalSeems::kEnclosed;
   }
   if (endsBesideGoal()) return GoalSeems::kInObstacle;
   if (!decision_.on_route) return GoalSeems::kReachable;
-  const Point2 here{situation.pose.x, situation.pose.y};
+  const Point2 here{situation_.pose.x, situation_.pose.y};
   return replanner_->isGoalBehindObstacle(here, goal_, parameters_.goal_in_sight) ? GoalSeems::kBehindObstacle
                                                                                   : GoalSeems::kReachable;
 }
 
-bool NavigationAgent::isInView(const Situation& situation, double direction) {
-  return std::abs(normalizeAngle(direction - situation.pose.yaw)) <= M_PI_2;
-}
-
-/// Whether the robot could drive straight to a goal in that direction (rad), so far away (m).
-bool NavigationAgent::isFreeUpTo(const Situation& situation, double direction, double distance) const {
-  return freeDistance(situation, direction, distance) >= distance - 0.5 * parameters_.goal_tolerance;
-}
-
 bool NavigationAgent::chooseGoalInSight(const StepContext& step) {
-  const Situation& situation = step.situation;
-  const double distance = distanceBetween(situation.pose, decision_.destination);
-  if (!parameters_.shield_enabled || distance > parameters_.goal_in_sight) {
-    return false;
-  }
-  const double direction = directionTo(situation.pose, decision_.destination);
-  if (!isInView(situation, direction) || !isFreeUpTo(situation, direction, distance)) {
-    return false;
-  }
+  const double distance = distanceBetween(situation_.pose, decision_.destination);
+  const double direction = directionTo(situation_.pose, decision_.destination);
+  const bool is_in_view = std::abs(normalizeAngle(direction - situation_.pose.yaw)) <= M_PI_2;
+  if (!parameters_.shield_enabled || distance > parameters_.goal_in_sight || !is_in_view) return false;
+  if (step.freeDistance(direction, distance) < distance - 0.5 * parameters_.goal_tolerance) return false;
   step.goTo(Move::kGoalInSight, direction, distance);
   return true;
-}
-
-/// m that are free in that direction (rad), at most `limit`, with the tight clearance.
-double NavigationAgent::freeDistance(const Situation& situation, double direction, double limit) const {
-  return shield_.freeDistance({}, direction - situation.pose.yaw, limit, parameters_.shield.tight_clearance);
 }
 
 void NavigationAgent::decideAsLed(const StepContext& step, Answer answer) {
   if (decision_.leader == Leader::kEscape) {
     if (leadAlongBoundary(step, &bug_algorithm_)) return;
-    startFrom(step.situation, kNearerThanEver);
+    startFrom(kNearerThanEver);
     answer = step.searchPath();
   }
   if (decision_.leader == Leader::kRoute) {
@@ -392,9 +373,9 @@ void NavigationAgent::decideAsLed(const StepContext& step, Answer answer) {
   }
 }
 
-StepContext NavigationAgent::contextOf(const Situation& situation) {
+StepContext NavigationAgent::context() {
   return {parameters_,     policy_.description().actions,
-          situation,       shield_,
+          situation_,      shield_,
           goal_,           clock_.pose().yaw,
           driven_,         progress_.target(),
           imposed_action_, replanner_ ? &*replanner_ : nullptr,

@@ -124,28 +124,25 @@ class NavigationAgent {
   using Answer = Replanner::Answer;
 
   // A step.
-  bool stepIsOver(const Situation& situation) const;
-  bool pathIsFree(const Situation& situation) const;
-  void noteProgress(const Situation& situation);
-  void startFrom(const Situation& situation, const char* why);
+  bool stepIsOver() const;
+  bool pathIsFree();
+  void noteProgress();
+  void startFrom(const char* why);
   void losePatience();
-  void arrive(const Situation& situation);
+  void arrive();
   bool isOutOfPatience(double times) const;
   Leader leaderBy(const AgentParameters& parameters) const;
   void choose(Leader leader, const char* why);
   void lead(Leader leader, const char* why);
-  void startStep(const Situation& situation);
+  void startStep();
   void advanceNetwork(const Observation& observation);
   double previousAction() const;
-  double drivenShare(const Situation& situation) const;
+  double drivenShare() const;
 
   // A decision.
-  void decideStep(const Situation& situation);
-  StepContext contextOf(const Situation& situation);
-  Decision::GoalSeems judgeGoal(const Situation& situation, Answer answer) const;
-  static bool isInView(const Situation& situation, double direction);
-  bool isFreeUpTo(const Situation& situation, double direction, double distance) const;
-  double freeDistance(const Situation& situation, double direction, double limit) const;
+  void decideStep();
+  StepContext context();
+  Decision::GoalSeems judgeGoal(Answer answer) const;
   bool chooseGoalInSight(const StepContext& step);
   void decideAsLed(const StepContext& step, Answer answer);
 
