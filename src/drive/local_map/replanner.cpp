@@ -23,29 +23,55 @@ constexpr double kNearGoalTolerances = 2.0;
 
 constexpr double kBlockedAhead = 0.3;  ///< m to the place that is taken as blocked
 
+/// Points of a route for which memory is reserved.
+constexpr std::size_t kReserved = 256;
+
+/// A point this near to the robot is behind it, m.
+constexpr double kPassed = 0.25;
+
+/// Corners are cut within this distance, m, where there is room all the way: a search pulls straight what is near, and
+/// not in one piece.
+constexpr double kPulled = 8.0;
+
 /// It can be driven, and no other path that costs so much is worth turning for.
 bool isHardlyCostlier(double cost, double other_cost) {
   return std::isfinite(cost) && cost <= other_cost * (1.0 + kWorthTurning) + kWorthTurningMetres;
+}
+
+/// How many of the first points of a route the robot has passed: up to the one beyond which the rest leads away from
+/// it.
+std::size_t passed(const LocalMap& memory, const Point2& here, const std::vector<Point2>& points) {
+  std::size_t next = 1;
+  for (; next + 1 < points.size(); ++next) {
+    const double to_next = distanceBetween(here, points[next]);
+    if (to_next <= kPassed) continue;
+    const double piece = distanceBetween(points[next], points[next + 1]);
+    const double beyond = distanceBetween(here, points[next + 1]);
+    if (beyond * beyond > piece * piece + to_next * to_next) break;
+    if (!memory.isFree(here, points[next + 1], LocalMap::Passage::kTight)) break;
+  }
+  return next;
 }
 
 }  // namespace
 
 Replanner::Replanner(const MemoryParameters& parameters, const ShieldParameters& shield)
     : memory_(parameters, shield), finder_(parameters.tightness) {
-  found_.points.reserve(route().points.capacity());
+  route_.points.reserve(kReserved);
+  found_.points.reserve(kReserved);
 }
 
 void Replanner::start() {
-  route_.clear();
+  route_.points.clear();
   looking_ = false;
   closed_in_a_row_ = 0;
   noteProgress();
 }
 
 void Replanner::moveGoal(const Point2& from, const Point2& to) {
-  if (!route_.isEmpty() && distanceBetween(end(), from) == 0.0) {
-    route_.moveEnd(to);
-  }
+  if (!hasRoute() || distanceBetween(end(), from) != 0.0) return;
+  route_.points.back() = to;
+  route_.length = lengthOf(route_.points);
 }
 
 void Replanner::noteProgress() {
@@ -56,7 +82,7 @@ void Replanner::noteProgress() {
 
 void Replanner::forget() {
   memory_.forget();
-  route_.clear();
+  route_.points.clear();
 }
 
 Replanner::Answer Replanner::update(const Situation& situation, const Point2& goal, double tolerance) {
@@ -64,17 +90,17 @@ Replanner::Answer Replanner::update(const Situation& situation, const Point2& go
   turn_.note(situation.pose.yaw, situation.time);
   memory_.add(situation);
   const Point2 here{situation.pose.x, situation.pose.y};
-  if (!route_.isEmpty()) route_.advance(memory_, here);
+  if (hasRoute()) advanceRoute(here);
   // While it looks around, what lies behind the robot is not known and seems free.
   const bool still_looking = looking_ && !turn_.isOver();
   const bool found = !still_looking && finder_.find(memory_, here, goal, tolerance, &found_);
   // Cells are coarser than the route: what closes them need not close it.
-  if (!found && (route_.isEmpty() || !std::isfinite(costOf(route())))) return lookAround(situation);
+  if (!found && (!hasRoute() || !std::isfinite(costOf(route_)))) return lookAround(situation);
   looking_ = false;
   closed_in_a_row_ = 0;
-  shortest_ = found ? found_.length : route().length;
-  if (found && !isWorthKeeping()) route_.swap(&found_);
-  shortest_ = std::min(shortest_, route().length);
+  shortest_ = found ? found_.length : route_.length;
+  if (found && !isWorthKeeping()) std::swap(route_, found_);
+  shortest_ = std::min(shortest_, route_.length);
   return Answer::kRoute;
 }
 
@@ -90,15 +116,28 @@ double Replanner::regretOf(const Point2& here, const Point2& next, std::vector<P
 }
 
 bool Replanner::isGoalBehindObstacle(const Point2& here, const Point2& goal, double near) const {
-  return RouteFinder::isDetour(distanceBetween(here, goal), route().length,
+  return RouteFinder::isDetour(distanceBetween(here, goal), route_.length,
                                std::max(kNearGoalTolerances * tolerance_, near));
+}
+
+/// The robot is there now: what it has driven, and corners that it can cut, are left away.
+void Replanner::advanceRoute(const Point2& here) {
+  std::vector<Point2>& points = route_.points;
+  std::size_t next = passed(memory_, here, points);
+  while (next + 1 < points.size() && distanceBetween(here, points[next + 1]) < kPulled &&
+         memory_.isFree(here, points[next + 1], LocalMap::Passage::kRoomy)) {
+    ++next;
+  }
+  points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(next - 1));
+  points.front() = here;
+  route_.length = lengthOf(points);
 }
 
 /// Whether the route leads to where the one that was found does, and is hardly costlier.
 bool Replanner::isWorthKeeping() const {
   constexpr double kSameEnd = 0.1;  // m
-  return !route_.isEmpty() && distanceBetween(end(), found_.points.back()) < kSameEnd &&
-         isHardlyCostlier(costOf(route()), costOf(found_));
+  return hasRoute() && distanceBetween(end(), found_.points.back()) < kSameEnd &&
+         isHardlyCostlier(costOf(route_), costOf(found_));
 }
 
 /// With what is remembered now, m; +inf where it is blocked.
@@ -116,7 +155,7 @@ double Replanner::costOf(const Route& route) const {
 }
 
 Replanner::Answer Replanner::lookAround(const Situation& situation) {
-  route_.clear();
+  route_.points.clear();
   if (looking_ && !turn_.isOver()) {
     return Answer::kLookAround;
   }
@@ -139,7 +178,7 @@ Replanner::Answer Replanner::lookAround(const Situation& situation) {
 }
 
 void Replanner::blockAhead() {
-  if (!route_.isEmpty()) {
+  if (hasRoute()) {
     memory_.block(pointAhead(kBlockedAhead));
   }
 }
@@ -149,7 +188,7 @@ void Replanner::blockTowards(const Point2& here, const Point2& next) {
 }
 
 Point2 Replanner::pointAhead(double distance) const {
-  const std::vector<Point2>& points = route().points;
+  const std::vector<Point2>& points = route_.points;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double leg = distanceBetween(points[i - 1], points[i]);
     if (leg >= distance && leg > 0.0) {
@@ -165,7 +204,7 @@ double Replanner::bearingAhead(const Pose2& pose, double distance) const {
 }
 
 void Replanner::pointsAhead(double distance, std::vector<Point2>* points) const {
-  const std::vector<Point2>& all = route().points;
+  const std::vector<Point2>& all = route_.points;
   std::size_t i = 1;
   for (; i < all.size(); ++i) {
     distance -= distanceBetween(all[i - 1], all[i]);

@@ -5,7 +5,6 @@
 
 #include "lstm_planner/drive/collision/shield_parameters.hpp"
 #include "lstm_planner/drive/local_map/full_turn.hpp"
-#include "lstm_planner/drive/local_map/kept_route.hpp"
 #include "lstm_planner/drive/local_map/local_map.hpp"
 #include "lstm_planner/drive/local_map/memory_parameters.hpp"
 #include "lstm_planner/drive/local_map/route_finder.hpp"
@@ -60,7 +59,7 @@ class Replanner {
 
   /// As update() found it, until it finds none: from the robot to the goal, or to where the footprint still fits when
   /// the goal lies in something.
-  const Route& route() const { return route_.route(); }
+  const Route& route() const { return route_; }
 
   /// What is remembered.
   const LocalMap& memory() const { return memory_; }
@@ -79,7 +78,7 @@ class Replanner {
   bool isGoalBehindObstacle(const Point2& here, const Point2& goal, double near) const;
 
   /// Where the route ends, of which there must be one.
-  const Point2& end() const { return route().points.back(); }
+  const Point2& end() const { return route_.points.back(); }
 
   /// Whether the footprint fits through on the straight path from one place to the other, as far as is remembered.
   bool isPassable(const Point2& from, const Point2& to) { return memory_.isFree(from, to, LocalMap::Passage::kTight); }
@@ -88,13 +87,15 @@ class Replanner {
   void forget();
 
  private:
+  bool hasRoute() const { return route_.points.size() > 1; }
+  void advanceRoute(const Point2& here);
   bool isWorthKeeping() const;
   double costOf(const Route& route) const;
   Answer lookAround(const Situation& situation);
 
   LocalMap memory_;
   RouteFinder finder_;
-  KeptRoute route_;
+  Route route_;
   Route found_;
   double shortest_ = 0.0;              ///< m, of the shortest path that the last update() knew
   double tolerance_ = 0.0;             ///< of the last update()
