@@ -1,9 +1,8 @@
 #include "lstm_planner/drive/perception/laser_scan.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "drive/perception/reading_bounds.hpp"
 
 namespace lstm_planner {
 
@@ -11,6 +10,24 @@ namespace {
 
 // Of the angle between two beams: places are computed from ranges in single precision.
 constexpr double kRounding = 1e-3;
+
+constexpr float kNothingThere = std::numeric_limits<float>::infinity();
+constexpr double kCodeTolerance = 0.02;  // m
+
+float toFloat(double range) { return static_cast<float>(std::min<double>(range, std::numeric_limits<float>::max())); }
+
+/// What a reading means, as RangeProfile::ranges. Measured is what is positive, from `least` to `most` (m) and no code
+/// for no return.
+float meaningOf(float reading, float least, float most, const ScanRules& rules) {
+  const bool is_code = rules.no_return_code != 0.0 && std::abs(reading - rules.no_return_code) <= kCodeTolerance;
+  const bool is_beyond = rules.beyond_is_no_return && reading > most;
+  if (reading == kNothingThere || is_beyond || is_code) return kNothingThere;
+  if ((reading >= least && reading <= most) || reading == -kNothingThere) return reading;
+  const bool is_silent = (rules.nan_is_no_return && std::isnan(reading)) ||
+                         (rules.zero_is_no_return && reading == 0.0f) ||
+                         (rules.below_is_no_return && reading > 0.0f && reading < least);
+  return is_silent ? RangeProfile::kSilent : 0.0f;
+}
 
 }  // namespace
 
@@ -49,7 +66,10 @@ void toProfile(const LaserScan& scan, const SensorMount& mount, const ScanRules&
   profile->nearest_range = scan.range_min;
   profile->farthest_range = scan.range_max;
   profile->ranges.resize(scan.ranges.size());
-  interpret(readingBounds(scan, rules), scan.ranges.data(), scan.ranges.size(), profile->ranges.data());
+  const float least = std::max(std::numeric_limits<float>::denorm_min(), toFloat(scan.range_min));
+  const float most = std::min(std::numeric_limits<float>::max(), toFloat(scan.range_max));
+  std::transform(scan.ranges.begin(), scan.ranges.end(), profile->ranges.begin(),
+                 [&](float reading) { return meaningOf(reading, least, most, rules); });
 }
 
 void toPoints(const RangeProfile& profile, BeamDirections* directions, std::vector<Point2>* points) {

@@ -1,12 +1,9 @@
 #include "lstm_planner/drive/perception/silence_watch.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 
 #include "drive/perception/beam_sum.hpp"
-#include "drive/perception/reading_bounds.hpp"
 
 namespace lstm_planner {
 
@@ -19,25 +16,6 @@ constexpr double kHardlyMoved = 0.5;   // m; a robot of 1 m/s stands before, for
 constexpr double kHardlyTurned = 0.6;  // rad; less than kMuch of a fan of 180 degrees
 constexpr double kMostlySilent = 0.5;  // of the beams
 
-struct Returns {
-  int measured = 0;
-  int silent = 0;
-};
-
-Returns returnsOf(const LaserScan& scan, const ScanRules& rules) {
-  const ReadingBounds bounds = readingBounds(scan, rules);
-  std::array<float, 256> ranges;
-  Returns returns;
-  for (std::size_t first = 0; first < scan.ranges.size(); first += ranges.size()) {
-    const std::size_t count = std::min(ranges.size(), scan.ranges.size() - first);
-    interpret(bounds, &scan.ranges[first], count, ranges.data());
-    const BeamSum sum = sumOfBeams(ranges.data(), count, 1.0);
-    returns.measured += sum.measured;
-    returns.silent += sum.silent;
-  }
-  return returns;
-}
-
 }  // namespace
 
 bool SilenceWatch::isComparable(double time, const Pose2& pose) const {
@@ -49,7 +27,9 @@ bool SilenceWatch::isComparable(double time, const Pose2& pose) const {
 
 void SilenceWatch::show(const LaserScan& scan, const ScanRules& rules, double time, const Pose2& pose) {
   if (scan.ranges.empty()) return;  // nothing can be said of it
-  const Returns returns = returnsOf(scan, rules);
+  RangeProfile profile;
+  toProfile(scan, {}, rules, &profile);
+  const BeamSum returns = sumOfBeams(profile.ranges.data(), profile.ranges.size(), 1.0);
   const auto beams = static_cast<double>(scan.ranges.size());
   if (returns.measured > 0) {
     share_ = returns.measured / beams;
