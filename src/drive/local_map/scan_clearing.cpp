@@ -13,8 +13,6 @@ constexpr std::ptrdiff_t kBeside = 2;
 }  // namespace
 
 void ScanClearing::show(const RangeProfile& profile, double yaw) {
-  finder_ = BeamFinder();
-  if (profile.ranges.empty() || profile.increment == 0.0) return;
   finder_ = BeamFinder(profile, yaw);
   const auto beams = static_cast<std::ptrdiff_t>(profile.ranges.size());
   limits_.resize(profile.ranges.size());

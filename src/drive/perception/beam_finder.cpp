@@ -31,7 +31,8 @@ float directionOf(float x, float y) {
 
 }  // namespace
 
-BeamFinder::BeamFinder(const RangeProfile& profile, double yaw) : beams_(static_cast<long>(profile.ranges.size())) {
+BeamFinder::BeamFinder(const RangeProfile& profile, double yaw)
+    : beams_(profile.increment != 0.0 ? static_cast<long>(profile.ranges.size()) : 0) {
   const double first = profile.first_direction + yaw;
   const double beams_a_turn = std::min(kMostBeamsATurn, kFullTurn / std::abs(profile.increment));
   beams_a_turn_ = static_cast<float>(beams_a_turn);

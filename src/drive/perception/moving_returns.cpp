@@ -19,10 +19,8 @@ constexpr double kSameThing = 0.15;     // m; a return this near to a place, or 
 constexpr double kRestingReach = 1.5;   // m from the robot; what rests farther away does not matter yet
 constexpr std::size_t kMostGap = 2;     // beams of a moving thing that may be missing or in doubt between two
 
-double squaredDistance(const Point2& a, const Point2& b) {
-  const double dx = b.x - a.x;
-  const double dy = b.y - a.y;
-  return dx * dx + dy * dy;
+bool isNear(const Point2& a, const Point2& b, double distance) {
+  return square(b.x - a.x) + square(b.y - a.y) < square(distance);
 }
 
 }  // namespace
@@ -38,7 +36,7 @@ MovingReturns::MovingReturns(const MovingReturnsParameters& parameters)
 void MovingReturns::expectSpeed(double fastest) { fastest_odometry_ = std::max(kLeastJump, kJump * fastest); }
 
 void MovingReturns::reset() {
-  view_count_ = 0;
+  views_.clear();
   places_.clear();
   points_.clear();
   resting_.clear();
@@ -50,25 +48,25 @@ void MovingReturns::show(const RangeProfile& profile, const Pose2& pose, double 
   if (!isFinite(pose) || !std::isfinite(time)) {
     return reset();
   }
-  if (view_count_ > 0) {
-    const View& last = views_[view_count_ - 1];
+  if (!views_.empty()) {
+    const View& last = views_.back();
     const double elapsed = time - last.time;
     if (elapsed < 0.0 || distanceBetween(last.pose, pose) > fastest_odometry_ * std::max(elapsed, kViewSpacing)) {
       reset();
     }
   }
   takeView(profile, pose, time);
-  dropOldViews();
+  while (!views_.empty() && time - views_.front().time > parameters_.oldest) views_.pop_front();
   collectReturns();
   std::size_t references = 0;
-  while (references < view_count_ && time - views_[references].time >= parameters_.youngest) ++references;
+  while (references < views_.size() && time - views_[references].time >= parameters_.youngest) ++references;
   // The oldest sees the slowest motion, the youngest what came into sight just now; those between add little.
   if (references > 0) compareWith(views_.front());
   if (references > 1) compareWith(views_[references - 1]);
   findMoving();
   forgetPlaces();
   collectPoints();
-  if (view_count_ == 0 || time - views_[view_count_ - 1].time >= kViewSpacing) {
+  if (views_.empty() || time - views_.back().time >= kViewSpacing) {
     keepView();
   }
 }
@@ -81,21 +79,11 @@ void MovingReturns::takeView(const RangeProfile& profile, const Pose2& pose, dou
   view_.time = time;
 }
 
-void MovingReturns::dropOldViews() {
-  std::size_t old = 0;
-  while (old < view_count_ && view_.time - views_[old].time > parameters_.oldest) ++old;
-  std::rotate(views_.begin(), views_.begin() + static_cast<std::ptrdiff_t>(old), views_.end());
-  view_count_ -= old;
-}
-
 void MovingReturns::keepView() {
   const RangeProfile& profile = view_.profile;
   const auto margin = static_cast<float>(parameters_.range_margin);
   view_.scanner = view_.toOdometry(profile.origin);
-  view_.finder = BeamFinder();
-  if (!profile.ranges.empty() && profile.increment != 0.0) {
-    view_.finder = BeamFinder(profile, view_.pose.yaw);
-  }
+  view_.finder = BeamFinder(profile, view_.pose.yaw);
   view_.limits.resize(profile.ranges.size());
   const auto farthest = profile.farthestRange();
   for (std::size_t beam = 0; beam < profile.ranges.size(); ++beam) {
@@ -103,9 +91,7 @@ void MovingReturns::keepView() {
     const float before = range > margin ? range - margin : 0.0f;
     view_.limits[beam] = range <= 0.0f ? std::numeric_limits<float>::infinity() : before * before;
   }
-  if (view_count_ == views_.size()) views_.emplace_back();
-  std::swap(views_[view_count_], view_);
-  ++view_count_;
+  views_.push_back(std::move(view_));
 }
 
 MovingReturns::Sight MovingReturns::sightOf(const Point2& point, const View& view) const {
@@ -146,27 +132,21 @@ void MovingReturns::collectReturns() {
   const RangeProfile& profile = view_.profile;
   const std::size_t beams = profile.ranges.size();
   directions_.set(profile.first_direction, profile.increment, beams);
-  returns_.resize(beams + 1);
-  beams_.resize(beams + 1);
+  returns_.clear();
+  beams_.clear();
   const auto farthest = static_cast<float>(parameters_.range);
-  std::size_t count = 0;
   for (std::size_t beam = 0; beam < beams; ++beam) {
     const float range = profile.ranges[beam];
+    if (!(range > 0.0f && range <= farthest)) continue;
     const Point2 direction = directions_[beam];
-    const Point2 local{profile.origin.x + range * direction.x, profile.origin.y + range * direction.y};
-    // Written in any case, and overwritten when it is none.
-    returns_[count] = view_.toOdometry(local);
-    beams_[count] = static_cast<std::uint32_t>(beam);
-    count += static_cast<std::size_t>(range > 0.0f) & static_cast<std::size_t>(range <= farthest);
+    returns_.push_back(
+        view_.toOdometry({profile.origin.x + range * direction.x, profile.origin.y + range * direction.y}));
+    beams_.push_back(beam);
   }
-  returns_.resize(count);
-  is_free_.assign(count, 0);
+  is_free_.assign(returns_.size(), 0);
 }
 
 void MovingReturns::compareWith(const View& reference) {
-  if (reference.finder.beams() == 0) {
-    return;
-  }
   for (std::size_t i = 0; i < returns_.size(); ++i) {
     const auto x = static_cast<float>(returns_[i].x - reference.scanner.x);
     const auto y = static_cast<float>(returns_[i].y - reference.scanner.y);
@@ -205,7 +185,7 @@ void MovingReturns::closeGroup() {
 
 void MovingReturns::notePlace(const Point2& point) {
   for (Place& place : places_) {
-    if (squaredDistance(place.point, point) < kPlaceSpacing * kPlaceSpacing) {
+    if (isNear(place.point, point, kPlaceSpacing)) {
       place.time = view_.time;
       return;
     }
@@ -244,8 +224,8 @@ void MovingReturns::collectNear(const std::vector<Point2>& places, std::vector<P
   }
   for (std::size_t i = 0; i < returns_.size(); ++i) {
     const Point2& point = returns_[i];
-    const auto near = [&](const Point2& place) { return squaredDistance(place, point) < kSameThing * kSameThing; };
-    if (std::any_of(places.begin(), places.end(), near)) {
+    const auto isThere = [&](const Point2& place) { return isNear(place, point, kSameThing); };
+    if (std::any_of(places.begin(), places.end(), isThere)) {
       points->push_back(view_.toBase(point));
       if (is_near != nullptr) (*is_near)[i] = 1;
     }

@@ -10,7 +10,7 @@ class BeamFinder {
   /// No beams.
   BeamFinder() = default;
 
-  /// For places in a frame in which the base has that yaw, rad. A profile needs beams, and an increment other than 0.
+  /// For places in a frame in which the base has that yaw, rad. No beams where the profile's increment is 0.
   BeamFinder(const RangeProfile& profile, double yaw);
 
   /// Index of the beam nearest to a place; -1 when none is within an increment. `x` and `y`, m, are relative to the

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "lstm_planner/common/geometry.hpp"
@@ -107,7 +108,6 @@ class MovingReturns {
   enum class Sight { kFree, kTaken, kUnknown };
 
   void takeView(const RangeProfile& profile, const Pose2& pose, double time);
-  void dropOldViews();
   void keepView();
   Sight sightOf(const Point2& point, const View& view) const;
   void collectReturns();
@@ -121,13 +121,12 @@ class MovingReturns {
                    std::vector<std::uint8_t>* is_near) const;
 
   MovingReturnsParameters parameters_;
-  double fastest_odometry_;     ///< m/s
-  View view_;                   ///< the last scan
-  std::vector<View> views_;     ///< the oldest first; beyond the first view_count_ only memory to be used again
-  std::size_t view_count_ = 0;  ///< of views_
+  double fastest_odometry_;  ///< m/s
+  View view_;                ///< the last scan
+  std::deque<View> views_;   ///< the oldest first
   BeamDirections directions_;
   std::vector<Point2> returns_;        ///< of the last scan, odometry frame, in the order of the beams
-  std::vector<std::uint32_t> beams_;   ///< of the returns
+  std::vector<std::size_t> beams_;     ///< of the returns
   std::vector<std::uint8_t> is_free_;  ///< a return each: an earlier scan saw free space there
   std::vector<std::uint8_t> moves_;
   std::vector<Point2> group_;  ///< returns beside one another that may be moving
