@@ -93,10 +93,6 @@ void validate(const EncoderParameters& parameters) {
       throw std::invalid_argument("input_layout names '" + name + "' twice, expected each input once");
     }
   }
-  if (parameters.sector_count != kSectorCount) {
-    throw std::invalid_argument("sector_count is " + std::to_string(parameters.sector_count) + ", expected " +
-                                std::to_string(kSectorCount));
-  }
   if (!(std::abs(parameters.angle_span - M_PI) < kSameSpan)) {
     throw std::invalid_argument("angle_span is " + metadataText(parameters.angle_span) + ", expected pi");
   }
@@ -127,7 +123,7 @@ void writeMetadata(const EncoderParameters& parameters, std::map<std::string, st
   std::string layout;
   for (const std::string& name : parameters.input_layout) layout += (layout.empty() ? "" : ",") + name;
   (*metadata)["input_layout"] = layout;
-  (*metadata)["sector_count"] = std::to_string(parameters.sector_count);
+  (*metadata)["sector_count"] = std::to_string(kSectorCount);
   (*metadata)["angle_span"] = metadataText(parameters.angle_span);
   (*metadata)["range_cap"] = metadataText(parameters.range_cap);
   (*metadata)["distance_scale"] = metadataText(parameters.distance_scale);
@@ -148,7 +144,7 @@ EncoderParameters readEncoderParameters(MetadataReader* metadata) {
     parameters.input_layout.push_back(name);
   }
   parameters.input_layout.shrink_to_fit();
-  parameters.sector_count = metadata->whole("sector_count", kSectorCount, kSectorCount);
+  metadata->whole("sector_count", kSectorCount, kSectorCount);
   parameters.angle_span = metadata->number("angle_span", M_PI - kSameSpan, M_PI + kSameSpan);
   const auto scale = [metadata](const char* key) { return metadata->number(key, kSmallestScale, kLargestScale); };
   parameters.range_cap = scale("range_cap");

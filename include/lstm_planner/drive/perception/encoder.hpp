@@ -20,7 +20,6 @@ namespace lstm_planner {
 struct EncoderParameters {
   /// Names of the inputs (networkInputs()) in their order.
   std::vector<std::string> input_layout = inputsOfGroup("thesis");
-  int sector_count = kSectorCount;
   double angle_span = M_PI;      ///< rad, centred on the heading
   double range_cap = 6.0;        ///< m; sectors are encoded as range / range_cap
   double distance_scale = 5.0;   ///< m; the goal distance d is encoded as d / (d + distance_scale), in [0, 1)
