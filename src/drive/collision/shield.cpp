@@ -159,10 +159,6 @@ double Shield::sweep(const FootprintSweep& sweep, const Pose2& from, double limi
   return free;
 }
 
-double Shield::freeBack(const Pose2& from, double curvature, double limit, double clearance) const {
-  return sweep(FootprintSweep::arc(footprint_, curvature, true), from, limit, clearance);
-}
-
 double Shield::freeTurn(const Pose2& from, double angle, double clearance) const {
   if (footprint_.isCircle()) return std::abs(angle);
   return sweep(FootprintSweep::turn(footprint_, angle > 0.0), from, std::abs(angle), clearance);
@@ -182,20 +178,20 @@ double Shield::sweepGap(const FootprintSweep& sweep, const Pose2& from, double l
   return nearest;
 }
 
-double Shield::freeArc(const Pose2& from, double curvature, double limit, double clearance) const {
+double Shield::freeArc(const Pose2& from, double curvature, double length, double clearance) const {
   if (!footprint_.isCircle()) {
-    return sweep(FootprintSweep::arc(footprint_, curvature, false), from, limit, clearance);
+    return sweep(FootprintSweep::arc(footprint_, curvature, length < 0.0), from, std::abs(length), clearance);
   }
   if (std::abs(curvature) < kStraightCurvature) {
-    return freeDistance({from.x, from.y}, from.yaw, limit, clearance);
+    return freeDistance({from.x, from.y}, from.yaw, length, clearance);
   }
   const Arc arc(curvature);
   const double wanted = footprint_radius_ + clearance;
   const double hard = footprint_radius_ + std::min(hard_margin_, clearance);
   const double c = std::cos(from.yaw);
   const double s = std::sin(from.yaw);
-  double free = limit;
-  visitNear({from.x, from.y}, wanted + limit, [&](const Point2& obstacle) {
+  double free = length;
+  visitNear({from.x, from.y}, wanted + length, [&](const Point2& obstacle) {
     const double dx = obstacle.x - from.x;
     const double dy = obstacle.y - from.y;
     const double squared = square(dx) + square(dy);

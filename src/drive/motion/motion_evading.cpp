@@ -64,7 +64,7 @@ MotionCommand MotionController::evade(const MotionCommand& command, const Motion
   }
   const double margin = parameters_.safety_margin;
   const double back = shield.footprint().isCircle() ? shield.freeDistance({}, M_PI, free_behind, margin)
-                                                    : shield.freeBack({}, 0.0, free_behind, margin);
+                                                    : shield.freeArc({}, 0.0, -free_behind, margin);
   if (back <= 0.0) return best;
   for (const double share : kSpeeds) consider(evasion.backwards(share * parameters_.max_linear, back));
   return best;

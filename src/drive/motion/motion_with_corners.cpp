@@ -212,15 +212,13 @@ bool MotionController::SafeMotion::operator()(const Twist2& twist) {
 }
 
 bool MotionController::SafeMotion::isFree(const Pose2& from, const Twist2& twist, double time) const {
-  const double length = std::abs(twist.linear) * time;
+  const double length = twist.linear * time;
   const double angle = twist.angular * time;
-  if (length < kSlack) {
+  if (std::abs(length) < kSlack) {
     return std::abs(angle) < kSlack || situation_.shield.freeTurn(from, angle, margin_) >= std::abs(angle) - kSlack;
   }
-  const double curvature = twist.angular / twist.linear;
-  const double free = twist.linear < 0.0 ? situation_.shield.freeBack(from, curvature, length, margin_)
-                                         : situation_.shield.freeArc(from, curvature, length, margin_);
-  return free >= length - kSlack;
+  const double free = situation_.shield.freeArc(from, twist.angular / twist.linear, length, margin_);
+  return free >= std::abs(length) - kSlack;
 }
 
 }  // namespace lstm_planner

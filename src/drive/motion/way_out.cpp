@@ -98,12 +98,9 @@ class WaySearch {
   }
 
   bool isFree(const Pose2& from, const WayPiece& piece, double margin) const {
-    const double length = std::abs(piece.length);
-    if (length < kShortest) return shield_.freeTurn(from, piece.turn, margin) >= std::abs(piece.turn) - kSlack;
-    const double curvature = piece.turn / piece.length;
-    const double free = piece.length < 0.0 ? shield_.freeBack(from, curvature, length, margin)
-                                           : shield_.freeArc(from, curvature, length, margin);
-    return free >= length - kSlack;
+    const auto& [length, turn] = piece;
+    if (std::abs(length) < kShortest) return shield_.freeTurn(from, turn, margin) >= std::abs(turn) - kSlack;
+    return shield_.freeArc(from, turn / length, length, margin) >= std::abs(length) - kSlack;
   }
 
   void expand(const Pose2& pose, int index, double cost) {

@@ -98,8 +98,7 @@ double WheelMotion::freeOnArc(const Pose2& from, double length, double turn) con
     const double free = angle < kSlack ? angle : shield_.freeTurn(from, turn, margin_);
     return free >= angle - kSlack ? 1.0 : free / angle;
   }
-  const double free = length < 0.0 ? shield_.freeBack(from, turn / length, way, margin_)
-                                   : shield_.freeArc(from, turn / length, way, margin_);
+  const double free = shield_.freeArc(from, turn / length, length, margin_);
   return free >= way - kSlack ? 1.0 : free / way;
 }
 

@@ -39,13 +39,11 @@ class Shield {
     return freeDistance(from, direction, length, clearance) >= length;
   }
 
-  /// The same as freeDistance() along the arc that starts at the pose `from`, forward, with that curvature (1/m,
-  /// positive to the left; 0 is the straight line): length of arc in m. This is the path that a differential drive
-  /// really takes when it is commanded linear and angular = curvature * linear.
-  double freeArc(const Pose2& from, double curvature, double limit, double clearance) const;
-
-  /// The same backward, along the arc that leads to `from`. Only for polygons: a circle turns round.
-  double freeBack(const Pose2& from, double curvature, double limit, double clearance) const;
+  /// The same as freeDistance() along the arc that starts at the pose `from` with that curvature (1/m, positive to the
+  /// left; 0 is the straight line). `length`: of the arc, m, negative for backwards, which is only for polygons: a
+  /// circle turns round. Returns m, at most its magnitude. This is the path that a differential drive really takes when
+  /// it is commanded linear and angular = curvature * linear.
+  double freeArc(const Pose2& from, double curvature, double length, double clearance) const;
 
   /// The same for a turn in place by `angle` (rad, positive to the left): rad, at most its magnitude.
   double freeTurn(const Pose2& from, double angle, double clearance) const;
