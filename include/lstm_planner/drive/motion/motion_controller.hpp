@@ -185,7 +185,6 @@ class MotionController {
   Twist2 steadied(const Twist2& twist, const Moment& now) const;
 
   // Of a robot with corners.
-  class SafeMotion;
   MotionCommand choose(const Moment& now, const std::vector<Point2>& moving) const;
   MotionCommand checked(const MotionCommand& command, const Moment& now) const;
   MotionCommand driveWithCorners(const Twist2& wanted, double error, const Moment& now) const;
@@ -196,7 +195,6 @@ class MotionController {
   double yieldingTurn(const Persons& persons) const;
   double turningSpeed(double angle, const Moment& now) const;
   double fastest(const Twist2& wanted, const Moment& now, StopReason* stop) const;
-  double brakingTime(const Twist2& twist) const;
   double stoppingDistance(double speed) const;
 
   MotionParameters parameters_;
