@@ -72,14 +72,6 @@ constexpr double kSpeeds[] = {1.0, 0.5};  // of the largest
 constexpr double kRoomWeight = 10.0;      // of progress; a touch weighs more, and the later it is, the less
 constexpr double kTouchWeight = 20.0;
 
-/// The first pose of the plan that is so far from the robot (m), or its last one; base frame.
-Point2 farOn(const std::vector<Pose2>& plan, const Pose2& pose, double distance) {
-  const auto isFar = [&](const Pose2& place) { return distanceBetween(place, pose) >= distance; };
-  const auto far = std::find_if(plan.begin(), plan.end(), isFar);
-  const Pose2& place = far == plan.end() ? plan.back() : *far;
-  return toLocalFrame(pose, {place.x, place.y});
-}
-
 /// Speed of the fastest wheel, m/s.
 double fastestWheel(const MotionParameters& parameters, const Twist2& twist) {
   return std::abs(twist.linear) + 0.5 * parameters.axle_length * std::abs(twist.angular);
@@ -554,7 +546,8 @@ MotionCommand MotionController::evade(const MotionCommand& command, const Motion
   const Outlook wanted = evasion.withCommand(command);
   if (wanted.room >= parameters_.evade_margin) return command;
   const double distance = parameters_.max_linear * parameters_.evade_time;
-  const Point2 target = farOn(plan, pose, distance);
+  const Pose2& far = firstBeyond(plan.begin(), plan, pose, distance);
+  const Point2 target = toLocalFrame(pose, {far.x, far.y});
   const auto worth = [&](const Outlook& outlook) {
     return kRoomWeight * std::min(1.0, outlook.room / parameters_.evade_margin) +
            kTouchWeight * outlook.touch / parameters_.evade_time - distanceBetween(outlook.end, target) / distance;

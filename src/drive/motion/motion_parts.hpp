@@ -1,6 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <vector>
+
+#include "lstm_planner/common/geometry.hpp"
 
 namespace lstm_planner {
 
@@ -15,5 +18,13 @@ constexpr double kLeastMargin = 0.5;
 constexpr double kNarrowMargin = 2.0 / 3.0;
 
 inline double clampMagnitude(double value, double limit) { return std::max(-limit, std::min(limit, value)); }
+
+/// The first pose of a plan, from `first` on, that is so far from the robot (m), or its last one.
+inline const Pose2& firstBeyond(std::vector<Pose2>::const_iterator first, const std::vector<Pose2>& plan,
+                                const Pose2& robot, double distance) {
+  const auto isBeyond = [&](const Pose2& place) { return distanceBetween(place, robot) >= distance; };
+  const auto beyond = std::find_if(first, plan.end(), isBeyond);
+  return beyond == plan.end() ? plan.back() : *beyond;
+}
 
 }  // namespace lstm_planner

@@ -1,7 +1,8 @@
 #include "lstm_planner/drive/motion/patience.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "drive/motion/motion_parts.hpp"
 
 namespace lstm_planner {
 
@@ -41,9 +42,7 @@ Patience::Left Patience::note(double limit, const MotionCommand& command, const 
 
 /// Than the plan did with which the robot gave up here.
 bool Patience::leadsAnotherWay(const std::vector<Pose2>& plan, const Pose2& pose) {
-  const auto ahead =
-      std::find_if(plan.begin(), plan.end(), [&](const Pose2& at) { return distanceBetween(pose, at) >= kWayAhead; });
-  const double direction = directionTo(pose, ahead == plan.end() ? plan.back() : *ahead);
+  const double direction = directionTo(pose, firstBeyond(plan.begin(), plan, pose, kWayAhead));
   if (!gave_up_towards_) gave_up_towards_ = direction;
   return std::abs(normalizeAngle(direction - *gave_up_towards_)) > kAnotherWay;
 }

@@ -8,6 +8,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "drive/motion/motion_parts.hpp"
 #include "lstm_planner/common/arc.hpp"
 
 namespace lstm_planner {
@@ -128,9 +129,7 @@ class WaySearch {
     const auto nearest = std::min_element(plan_.begin(), plan_.end(), [&](const Pose2& a, const Pose2& b) {
       return distanceBetween(a, pose) < distanceBetween(b, pose);
     });
-    const auto ahead = std::find_if(nearest + 1, plan_.end(),
-                                    [&](const Pose2& place) { return distanceBetween(place, pose) >= kAheadOnPlan; });
-    return normalizeAngle(directionTo(pose, ahead == plan_.end() ? plan_.back() : *ahead) - pose.yaw);
+    return normalizeAngle(directionTo(pose, firstBeyond(nearest + 1, plan_, pose, kAheadOnPlan)) - pose.yaw);
   }
 
   /// Whether it can turn by that much, to the plan, and drive on.
