@@ -1,8 +1,8 @@
 #include "lstm_planner/drive/motion/path_tracker.hpp"
 
 #include "drive/motion/motion_parts.hpp"
-#include "lstm_planner/drive/motion/way_out.hpp"
-#include "lstm_planner/drive/perception/seen_free.hpp"
+#include "drive/motion/way_out.hpp"
+#include "drive/perception/seen_free.hpp"
 
 namespace lstm_planner {
 

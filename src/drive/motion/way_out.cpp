@@ -1,4 +1,4 @@
-#include "lstm_planner/drive/motion/way_out.hpp"
+#include "drive/motion/way_out.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "lstm_planner/drive/perception/seen_free.hpp"
+#include "drive/perception/seen_free.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "lstm_planner/drive/motion/way_out.hpp"
+#include "drive/motion/way_out.hpp"
 #include "unit/drive/motion/motion_fixtures.hpp"
 #include "unit/drive/motion/plan_along.hpp"
 

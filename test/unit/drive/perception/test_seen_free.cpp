@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lstm_planner/drive/perception/seen_free.hpp"
+#include "drive/perception/seen_free.hpp"
 #include "lstm_planner/simulation/hokuyo.hpp"
 #include "unit/drive/perception/scan_builder.hpp"
 
