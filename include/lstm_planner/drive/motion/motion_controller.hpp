@@ -6,7 +6,6 @@
 
 #include "lstm_planner/common/geometry.hpp"
 #include "lstm_planner/drive/collision/shield.hpp"
-#include "lstm_planner/drive/motion/stop_reason.hpp"
 #include "lstm_planner/drive/perception/moving_returns.hpp"
 #include "lstm_planner/drive/perception/moving_things.hpp"
 
@@ -99,6 +98,21 @@ void visitMotionParameters(Parameters& motion, const Visitor& visit) {
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const MotionParameters& parameters);
+
+/// Why the robot does not drive on.
+enum class StopReason {
+  kNone,         ///< it drives, or turns to where it will
+  kArrived,      ///< at the end of the plan
+  kNoPlan,       ///< waits for a plan
+  kObstacle,     ///< something is within the margin of where it would drive
+  kPerson,       ///< yields to what moves, or has moved
+  kStuck,        ///< it has stood before an obstacle, or tried in vain to move, for longer than the patience
+  kOldPlan,      ///< the plan is not renewed
+  kUnusableData  ///< a pose, scan, odometry or transform is missing, too old, or makes no sense
+};
+
+/// A few words on it, such as "it yields to somebody who moves".
+const char* toString(StopReason reason);
 
 /// What the controller commands, and why it is not to drive: a robot that is stopped may still turn.
 struct MotionCommand : Twist2 {
