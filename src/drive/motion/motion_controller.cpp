@@ -234,7 +234,7 @@ MotionCommand MotionController::choose(const Moment& now, const std::vector<Poin
     twist.linear = std::min({parameters_.max_linear * std::cos(error), brakes, reachable});
     twist = withinWheelLimits(twist);
     if (has_corners) return driveWithCorners(twist, error, now);
-    const SafeSpeed safe = safeSpeed(twist, situation, persons);
+    const SafeSpeed safe = safeSpeed(twist, now);
     twist.linear = safe.speed;
     stop = safe.stop;
   }
@@ -297,15 +297,14 @@ Twist2 MotionController::withinWheelLimits(const Twist2& twist) const {
   return fastest > 0.0 ? Twist2{share * twist.linear, share * twist.angular} : twist;
 }
 
-MotionController::SafeSpeed MotionController::safeSpeed(const Twist2& wanted, const MotionSituation& situation,
-                                                        const Persons& persons) const {
+MotionController::SafeSpeed MotionController::safeSpeed(const Twist2& wanted, const Moment& now) const {
   constexpr int kTries = 8;
-  double speed = std::min(wanted.linear, cautiousSpeed(wanted, situation.shield));
+  double speed = std::min(wanted.linear, cautiousSpeed(wanted, now.shield));
   StopReason stop = speed < wanted.linear ? StopReason::kObstacle : StopReason::kNone;
   for (int i = 0; i < kTries && speed >= kCreep; ++i) {
     const Twist2 twist{speed, wanted.angular};
-    const double before_obstacles = allowedSpeed(twist, situation);
-    const double before_persons = yieldingSpeed(twist, persons);
+    const double before_obstacles = allowedSpeed(twist, now);
+    const double before_persons = yieldingSpeed(twist, now.persons);
     const double allowed = std::min(before_obstacles, before_persons);
     if (allowed >= speed) {
       return {speed, StopReason::kNone};
@@ -435,10 +434,9 @@ MotionCommand MotionController::checked(const MotionCommand& command, const Mome
 }
 
 MotionCommand MotionController::driveWithCorners(const Twist2& wanted, double error, const Moment& now) const {
-  StopReason stop = StopReason::kNone;
   const bool heads_there = std::abs(error) < kLeastTurn;
   if (now.history.goes_back && !heads_there) return makeRoom(error, now);
-  const double speed = fastest(wanted, now, &stop);
+  const auto [speed, stop] = safeSpeedWithCorners(wanted, now);
   const bool drives = speed >= kSlowest || (speed >= kCreep && speed >= wanted.linear - kCreep);
   if (drives) return {withinWheelLimits({speed, wanted.angular}), stop};
   if (stop == StopReason::kPerson || heads_there) return {{}, stop};
@@ -457,9 +455,8 @@ MotionCommand MotionController::turnWithCorners(double error, const Moment& now)
   if (!now.history.goes_back && std::abs(error) < M_PI_2) {
     const double angular = clampMagnitude(parameters_.heading_gain * error, parameters_.max_angular);
     for (const double share : kNarrower) {
-      StopReason stop = StopReason::kNone;
       const Twist2 arc{slowSpeed(parameters_), share * angular};
-      const double speed = fastest(arc, now, &stop);
+      const auto [speed, stop] = safeSpeedWithCorners(arc, now);
       if (stop == StopReason::kPerson) return {{}, stop};
       if (speed >= kSlowest) return {withinWheelLimits({speed, arc.angular}), stop};
     }
@@ -539,23 +536,23 @@ double MotionController::yieldingTurn(const Persons& persons) const {
   return std::max(0.0, time * parameters_.linear_acceleration / (0.5 * parameters_.axle_length));
 }
 
-double MotionController::fastest(const Twist2& wanted, const Moment& now, StopReason* stop) const {
+MotionController::SafeSpeed MotionController::safeSpeedWithCorners(const Twist2& wanted, const Moment& now) const {
   const double cautious = std::min(wanted.linear, cautiousSpeed(wanted, now.shield));
-  *stop = cautious < wanted.linear ? StopReason::kObstacle : StopReason::kNone;
+  StopReason stop = cautious < wanted.linear ? StopReason::kObstacle : StopReason::kNone;
   SafeMotion isSafe(parameters_, reaction_time_, now, now.history, now.margin);
   for (const double share : kShares) {
     const Twist2 twist{share * cautious, wanted.angular};
     if (twist.linear < kCreep) break;
     const double before_persons = yieldingSpeed(twist, now.persons);
     if (before_persons < twist.linear) {
-      *stop = StopReason::kPerson;
+      stop = StopReason::kPerson;
     } else if (isSafe(withinWheelLimits(twist))) {
-      return twist.linear;
+      return {twist.linear, stop};
     } else {
-      *stop = StopReason::kObstacle;
+      stop = StopReason::kObstacle;
     }
   }
-  return 0.0;
+  return {0.0, stop};
 }
 
 MotionCommand MotionController::evade(const MotionCommand& command, const MotionSituation& situation,

@@ -180,26 +180,26 @@ class MotionController {
 
  private:
   struct Persons;
+  struct Moment;
   /// How fast the robot may drive, and why not faster.
   struct SafeSpeed {
-    double speed;     ///< m/s
-    StopReason stop;  ///< where that is 0
+    double speed;  ///< m/s
+    StopReason stop;
   };
 
+  MotionCommand choose(const Moment& now, const std::vector<Point2>& moving) const;
   Pose2 target(const MotionSituation& situation) const;
   Twist2 withinWheelLimits(const Twist2& twist) const;
-  SafeSpeed safeSpeed(const Twist2& wanted, const MotionSituation& situation, const Persons& persons) const;
+  SafeSpeed safeSpeed(const Twist2& wanted, const Moment& now) const;
   double cautiousSpeed(const Twist2& twist, const Shield& shield) const;
   double allowedSpeed(const Twist2& twist, const MotionSituation& situation) const;
   double yieldingSpeed(const Twist2& twist, const Shield& persons) const;
   double yieldingSpeed(const Twist2& twist, const Persons& persons) const;
   double yieldingReach(double footprint_radius) const;
-
-  struct Moment;
+  double stoppingDistance(double speed) const;
   Twist2 steadied(const Twist2& twist, const Moment& now) const;
 
   // Of a robot with corners.
-  MotionCommand choose(const Moment& now, const std::vector<Point2>& moving) const;
   MotionCommand checked(const MotionCommand& command, const Moment& now) const;
   MotionCommand driveWithCorners(const Twist2& wanted, double error, const Moment& now) const;
   MotionCommand turnWithCorners(double error, const Moment& now) const;
@@ -208,8 +208,7 @@ class MotionController {
   Twist2 twistTo(const Pose2& place) const;
   double yieldingTurn(const Persons& persons) const;
   double turningSpeed(double angle, const Moment& now) const;
-  double fastest(const Twist2& wanted, const Moment& now, StopReason* stop) const;
-  double stoppingDistance(double speed) const;
+  SafeSpeed safeSpeedWithCorners(const Twist2& wanted, const Moment& now) const;
 
   MotionParameters parameters_;
   double reaction_time_;  ///< s
