@@ -18,12 +18,8 @@ constexpr std::uint8_t kExitsKnown = 0x40;
 /// Places that are kept as blocked; the oldest gives way.
 constexpr std::size_t kMostBlocks = 32;
 
-/// Of a point from the line from the origin to (columns, rows); in squares.
-double squaredDistance(double x, double y, int columns, int rows) {
-  const double length = static_cast<double>(columns) * columns + static_cast<double>(rows) * rows;
-  const double share = length > 0.0 ? std::clamp((x * columns + y * rows) / length, 0.0, 1.0) : 0.0;
-  return square(x - share * columns) + square(y - share * rows);
-}
+/// In squares.
+Point2 pointOf(const Square& square) { return {static_cast<double>(square.column), static_cast<double>(square.row)}; }
 
 /// m from the middle of the robot to an obstacle beside which it drives as it likes: also turns, if it has corners.
 double narrowRadius(const ShieldParameters& shield) {
@@ -172,9 +168,7 @@ std::uint8_t Clearance::judge(const ObstacleWindow& window, int cell) {
 }
 
 std::uint8_t Clearance::judgeExits(const ObstacleWindow& window, int cell) {
-  const int column = cell % side_;
-  const int row = cell / side_;
-  if (column == 0 || row == 0 || column == side_ - 1 || row == side_ - 1) {
+  if (window.isAtBorder(cell)) {
     return 0;
   }
   if (!isAnythingNear(window, cell, near_cells_ + 1)) {
@@ -231,8 +225,7 @@ bool Clearance::isLineFree(const ObstacleWindow& window, const Square& from, con
   const double radius = onThePath(tight_radius_);
   const double squares = radius / resolution_;
   const auto isBeside = [&](const Square& obstacle) {
-    return squaredDistance(obstacle.column - lower.column, obstacle.row - lower.row, upper.column - lower.column,
-                           upper.row - lower.row) < squares * squares;
+    return squaredDistanceToSegment(pointOf(obstacle), pointOf(lower), pointOf(upper)) < squares * squares;
   };
   const auto blocks = [&](const Point2& block) {
     return squaredDistanceToSegment(block, window.centerOf(from), window.centerOf(to)) < radius * radius;
@@ -247,8 +240,8 @@ bool Clearance::isGapFree(const ObstacleWindow& window, const Point2& position, 
   }
   // In squares from the middle of the window's first one.
   const double scale = 1.0 / resolution_;
-  const double x = position.x * scale - kSide * window.originColumn() - 0.5;
-  const double y = position.y * scale - kSide * window.originRow() - 0.5;
+  const double x = position.x * scale - window.origin().column - 0.5;
+  const double y = position.y * scale - window.origin().row - 0.5;
   const double reach = radius * scale;
   bool is_free = true;
   window.visitOccupied({floorOf(x - reach), floorOf(y - reach)}, {floorOf(x + reach), floorOf(y + reach)},

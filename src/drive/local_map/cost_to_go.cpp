@@ -16,7 +16,7 @@ int opposite(int direction) { return direction ^ 4; }
 
 CostToGo::CostToGo(double tightness) {
   const auto tight = static_cast<int>(std::lround(tightness * 2.0));
-  const auto narrow = static_cast<int>(std::lround((1.0 + 0.25 * (tightness - 1.0)) * 2.0));
+  const auto narrow = static_cast<int>(std::lround(narrowness(tightness) * 2.0));
   factors_[static_cast<int>(LocalMap::Passage::kBlocked)] = tight;  // never entered
   factors_[static_cast<int>(LocalMap::Passage::kTight)] = tight;
   factors_[static_cast<int>(LocalMap::Passage::kNarrow)] = narrow;
@@ -119,15 +119,10 @@ void CostToGo::reach(int column, int row, std::uint32_t cost) {
   open_.push(estimate(column, row, cost), static_cast<std::uint16_t>(column), static_cast<std::uint16_t>(row));
 }
 
-bool CostToGo::isAtBorder(int cell) const {
-  const int column = cell % side_;
-  return column == 0 || column == side_ - 1 || cell < side_ || cell >= side_ * (side_ - 1);
-}
-
 /// From which of its neighbours the footprint can come: paths lead both ways, but the memory tells no exits of cells at
 /// the border.
 std::uint8_t CostToGo::entries(LocalMap& memory, int cell) const {
-  if (!isAtBorder(cell)) {
+  if (!memory.isAtBorder(cell)) {
     return memory.exits(cell);
   }
   const int column = cell % side_;
@@ -155,7 +150,7 @@ std::uint32_t CostToGo::stepCost(LocalMap& memory, int to, int direction) const 
 }
 
 int CostToGo::next(LocalMap& memory, int cell, int column, int row) const {
-  if (isAtBorder(cell)) {
+  if (memory.isAtBorder(cell)) {
     return -1;
   }
   const std::uint32_t cost = costs_[index(cell)];

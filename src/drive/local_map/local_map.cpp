@@ -55,7 +55,7 @@ void LocalMap::add(const Situation& situation) {
 
 void LocalMap::markKnown() {
   for (const Point2& place : known_) {
-    const Square square = squareAt(place);
+    const Square square = window_.squareAt(place);
     if (window_.contains(square)) window_.set(square, true);
   }
 }
@@ -78,7 +78,7 @@ void LocalMap::collectMarks(const Situation& situation) {
   marked_.clear();
   for (const Point2& place : situation.marked) {
     if (std::hypot(place.x, place.y) > reach_) continue;
-    const Square square = squareAt(toParentFrame(situation.pose, place));
+    const Square square = window_.squareAt(toParentFrame(situation.pose, place));
     const bool is_underneath = window_.contains(square) && distanceBetween(window_.centerOf(square), situation.pose) <
                                                                kUnderneath * footprint_radius_;
     if (window_.contains(square) && !is_underneath && !isSeenBeside(square)) marked_.push_back(markAt(square));
@@ -102,19 +102,14 @@ bool LocalMap::isMarked(const Square& square) const {
 }
 
 LocalMap::Mark LocalMap::markAt(const Square& square) const {
-  const auto column = static_cast<std::uint32_t>(square.column + kSide * window_.originColumn());
-  const auto row = static_cast<std::uint32_t>(square.row + kSide * window_.originRow());
+  const auto column = static_cast<std::uint32_t>(square.column + window_.origin().column);
+  const auto row = static_cast<std::uint32_t>(square.row + window_.origin().row);
   return static_cast<Mark>(row) << 32 | column;
 }
 
 Square LocalMap::squareOfMark(Mark mark) const {
-  return {static_cast<int>(static_cast<std::uint32_t>(mark)) - kSide * window_.originColumn(),
-          static_cast<int>(static_cast<std::uint32_t>(mark >> 32)) - kSide * window_.originRow()};
-}
-
-Square LocalMap::squareAt(const Point2& place) const {
-  const Square absolute = window_.squareAt(place);
-  return {absolute.column - kSide * window_.originColumn(), absolute.row - kSide * window_.originRow()};
+  return {static_cast<int>(static_cast<std::uint32_t>(mark)) - window_.origin().column,
+          static_cast<int>(static_cast<std::uint32_t>(mark >> 32)) - window_.origin().row};
 }
 
 void LocalMap::block(const Point2& place) { clearance_.block(window_, place); }
@@ -122,7 +117,7 @@ void LocalMap::block(const Point2& place) { clearance_.block(window_, place); }
 void LocalMap::relaxClearance(bool on) { clearance_.relaxClearance(on); }
 
 void LocalMap::forgetUnderneath(const Pose2& pose) {
-  const Square here = squareAt({pose.x, pose.y});
+  const Square here = window_.squareAt({pose.x, pose.y});
   const int squares = static_cast<int>(footprint_radius_ / window_.resolution());
   for (int row = -squares; row <= squares; ++row) {
     for (int column = -squares; column <= squares; ++column) {

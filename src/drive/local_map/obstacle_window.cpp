@@ -49,7 +49,7 @@ Point2 ObstacleWindow::centerOf(int cell) const {
 }
 
 Square ObstacleWindow::squareAt(const Point2& position) const {
-  return {floorOf(position.x / resolution_), floorOf(position.y / resolution_)};
+  return {floorOf(position.x / resolution_) - origin().column, floorOf(position.y / resolution_) - origin().row};
 }
 
 std::vector<Point2> ObstacleWindow::occupied() const {

@@ -152,9 +152,7 @@ bool RouteFinder::isEnd(LocalMap& memory, int cell) const {
     case Ending::kBorder:
       break;
   }
-  const int side = memory.side();
-  const int column = cell % side;
-  return column == 0 || column == side - 1 || cell < side || cell >= side * (side - 1);
+  return memory.isAtBorder(cell);
 }
 
 void RouteFinder::follow(LocalMap& memory, const Point2& start, Route* route) const {
@@ -230,7 +228,7 @@ double RouteFinder::costOf(const LocalMap& memory, const Point2& from, const Poi
     return length;
   }
   if (memory.isFree(from, to, Passage::kNarrow)) {
-    return (1.0 + 0.25 * (tightness_ - 1.0)) * length;
+    return CostToGo::narrowness(tightness_) * length;
   }
   return memory.isFree(from, to, Passage::kTight) ? tightness_ * length : std::numeric_limits<double>::infinity();
 }

@@ -30,12 +30,13 @@ void ScanChanges::findReturns(const Situation& situation, const ObstacleWindow& 
   // Squares are counted from one so far to the left of and below the robot that no return has a negative number.
   const int bias = static_cast<int>(std::ceil(reach_ * scale)) + 1;
   const Square here = window.squareAt({pose.x, pose.y});
+  const Square origin = window.origin();
   const auto cosine = static_cast<float>(std::cos(pose.yaw) * scale);
   const auto sine = static_cast<float>(std::sin(pose.yaw) * scale);
-  const auto base_x = static_cast<float>(pose.x * scale - here.column + bias);
-  const auto base_y = static_cast<float>(pose.y * scale - here.row + bias);
-  const int first_column = here.column - bias - kSide * window.originColumn();
-  const int first_row = here.row - bias - kSide * window.originRow();
+  const auto base_x = static_cast<float>(pose.x * scale - (here.column + origin.column) + bias);
+  const auto base_y = static_cast<float>(pose.y * scale - (here.row + origin.row) + bias);
+  const int first_column = here.column - bias;
+  const int first_row = here.row - bias;
   const auto farthest = static_cast<float>(reach_ * reach_);
   returns_.clear();
   returns_.reserve(std::max(situation.obstacles.size(), situation.profile.ranges.size()));
@@ -58,8 +59,8 @@ void ScanChanges::findCleared(const RangeProfile& profile, const Pose2& pose, co
   }
   const Point2 scanner = toParentFrame(pose, profile.origin);
   const int reach = static_cast<int>(reach_ / window.cellSize());
-  const int middle_column = floorOf(scanner.x / window.cellSize()) - window.originColumn();
-  const int middle_row = floorOf(scanner.y / window.cellSize()) - window.originRow();
+  const int middle_column = floorOf(scanner.x / window.cellSize()) - window.origin().column / kSide;
+  const int middle_row = floorOf(scanner.y / window.cellSize()) - window.origin().row / kSide;
   const int last = window.side() - 1;
   for (int row = std::max(0, middle_row - reach); row <= std::min(last, middle_row + reach); ++row) {
     for (int column = std::max(0, middle_column - reach); column <= std::min(last, middle_column + reach); ++column) {

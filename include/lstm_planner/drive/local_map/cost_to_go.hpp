@@ -45,6 +45,9 @@ class CostToGo {
   /// Cost of a path of so many cells where nothing is in between.
   static std::uint32_t octile(int columns, int rows);
 
+  /// How many times its length a path through a narrow place costs.
+  static double narrowness(double tightness) { return 1.0 + 0.25 * (tightness - 1.0); }
+
   /// A cost as a length from cell to cell, m.
   static double metres(std::uint32_t cost, double cell_size) { return cost * cell_size / kStraightFifths; }
 
@@ -64,7 +67,6 @@ class CostToGo {
   void trace(LocalMap& memory, int start, int column, int row);
   std::uint8_t entries(LocalMap& memory, int cell) const;
   int next(LocalMap& memory, int cell, int column, int row) const;
-  bool isAtBorder(int cell) const;
   int neighbourOf(int cell, int direction) const;
   std::uint32_t stepCost(LocalMap& memory, int to, int direction) const;
 

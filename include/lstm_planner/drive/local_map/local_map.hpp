@@ -61,6 +61,7 @@ class LocalMap {
   /// Index of the cell at a position, row by row; -1 outside the window.
   int cellAt(const Point2& position) const { return window_.cellAt(position); }
   Point2 centerOf(int cell) const { return window_.centerOf(cell); }
+  bool isAtBorder(int cell) const { return window_.isAtBorder(cell); }
   Passage passage(int cell) { return clearance_.passage(window_, cell); }
   /// The place in a cell that is farthest from all obstacles.
   Point2 bestPlace(int cell) { return clearance_.bestPlace(window_, cell); }
@@ -91,7 +92,6 @@ class LocalMap {
   bool isMarked(const Square& square) const;
   Mark markAt(const Square& square) const;
   Square squareOfMark(Mark mark) const;
-  Square squareAt(const Point2& place) const;
   void set(const Square& square, bool occupied);
   void forgetUnderneath(const Pose2& pose);
 

@@ -10,7 +10,7 @@
 
 namespace lstm_planner {
 
-/// A square by its place in the window; or in the odometry frame, where that is said.
+/// A square by its place in the window, or, where that is said, in the odometry frame.
 struct Square {
   int column;
   int row;
@@ -40,13 +40,17 @@ class ObstacleWindow {
   int side() const { return side_; }  ///< cells a side
   double cellSize() const { return cell_size_; }
   double resolution() const { return resolution_; }
-  int originColumn() const { return origin_column_; }  ///< of the window, in cells of the odometry frame
-  int originRow() const { return origin_row_; }
+  /// The first square, by its place in the odometry frame.
+  Square origin() const { return {kSide * origin_column_, kSide * origin_row_}; }
 
   /// Index of the cell at a position, row by row; -1 outside the window.
   int cellAt(const Point2& position) const;
   Point2 centerOf(int cell) const;
-  /// The square at a position, in the odometry frame.
+  bool isAtBorder(int cell) const {
+    const int column = cell % side_;
+    return column == 0 || column == side_ - 1 || cell < side_ || cell >= side_ * (side_ - 1);
+  }
+  /// The square at a position, which may lie outside the window.
   Square squareAt(const Point2& position) const;
   Square squareOf(int cell, int square) const {
     return {cell % side_ * kSide + square % kSide, cell / side_ * kSide + square / kSide};
@@ -78,7 +82,7 @@ class ObstacleWindow {
   double resolution_;
   int side_;
   double cell_size_;
-  int origin_column_ = 0;
+  int origin_column_ = 0;  ///< cells, in the odometry frame
   int origin_row_ = 0;
   bool placed_ = false;
   BitRows squares_;
@@ -102,8 +106,7 @@ void ObstacleWindow::visitOccupied(const Square& first, const Square& last, cons
 
 template <typename Visit>
 void ObstacleWindow::visitOccupiedNear(const Point2& place, double reach, const Visit& visit) const {
-  const Square at = squareAt(place);
-  const Square middle{at.column - originColumn() * kSide, at.row - originRow() * kSide};
+  const Square middle = squareAt(place);
   const int around = static_cast<int>(std::ceil(reach / resolution_));
   visitOccupied({middle.column - around, middle.row - around}, {middle.column + around, middle.row + around},
                 [&](const Square& square) {
