@@ -28,7 +28,8 @@ struct PartTimes {
 class Parts {
  public:
   Parts()
-      : shield_(parameters_.shield.footprint_radius, parameters_.shield.tight_clearance, parameters_.shield.reach) {}
+      : shield_(Footprint(parameters_.shield.footprint_radius), parameters_.shield.tight_clearance,
+                parameters_.shield.reach) {}
 
   void begin(const RecordedDrive& drive) {
     goal_ = {drive.goal.x, drive.goal.y};

@@ -125,7 +125,7 @@ void shielding(benchmark::State& state) {
   const AgentParameters agent;
   const ShieldParameters& parameters = agent.shield;
   const ActionSet actions;
-  Shield shield(parameters.footprint_radius, parameters.tight_clearance, parameters.reach);
+  Shield shield(Footprint(parameters.footprint_radius), parameters.tight_clearance, parameters.reach);
   CallTimes times(situations().size());
   Situation situation;
   for (auto _ : state) {

@@ -48,9 +48,6 @@ struct Arc {
 
 }  // namespace
 
-Shield::Shield(double footprint_radius, double hard_margin, double reach)
-    : Shield(Footprint(footprint_radius), hard_margin, reach) {}
-
 Shield::Shield(const Footprint& footprint, double hard_margin, double reach)
     : footprint_(footprint),
       footprint_radius_(footprint.circumscribedRadius()),

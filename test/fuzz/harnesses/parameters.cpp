@@ -119,7 +119,7 @@ void drive(const AgentParameters& parameters) {
 
 void follow(const MotionParameters& parameters) {
   const MotionController controller(parameters);
-  Shield shield(0.17425, parameters.safety_margin, 2.0);
+  Shield shield(Footprint(0.17425), parameters.safety_margin, 2.0);
   MovingReturns moving(parameters.moving);
   const std::vector<Pose2> plan = {{}, {1.0, 0.0, 0.0}, {2.0, 0.5, 0.0}};
   Situation situation;

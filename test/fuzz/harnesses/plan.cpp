@@ -56,7 +56,7 @@ void plan(const std::uint8_t* data, std::size_t size) {
       const bool asks = (kind & 64) != 0;
       if (!asks) changes.tell(&agent, goal, {}, (kind & 128) != 0, jumps);
       const Decision decision = asks ? agent.preview({goal.x, goal.y}) : agent.decide();
-      Shield shield(0.17425, 0.03, 6.0);
+      Shield shield(Footprint(0.17425), 0.03, 6.0);
       shield.show(agent.situation().obstacles);
       rollOut(agent.situation(), decision, shield, goal, smallWorld(leader), {}, &poses);
       checkPlan(poses);

@@ -65,7 +65,7 @@ void seeAndDrive(const std::uint8_t* data, std::size_t size) {
   static const MotionParameters parameters;
   static const MotionController controller(parameters);
   static const std::vector<Pose2> straight_on = {{}, {0.5, 0.0, 0.0}, {1.0, 0.0, 0.0}, {2.0, 0.0, 0.0}};
-  Shield shield(kFootprint, parameters.safety_margin, 2.0);
+  Shield shield(Footprint(kFootprint), parameters.safety_margin, 2.0);
   MovingReturns moving(parameters.moving);
   DriftCorrection drift;
   Situation situation;

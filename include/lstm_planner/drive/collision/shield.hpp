@@ -17,10 +17,8 @@ class FootprintSweep;
 /// without moving: that is always free. The corners of a polygon sweep what is around it.
 class Shield {
  public:
-  /// `footprint_radius`: of the circumscribed disc, m. `hard_margin`: m, see freeDistance(). `reach`: farthest obstacle
-  /// that is looked at, m. Throws std::invalid_argument unless 0 < radius, 0 <= margin and radius + margin < reach.
-  Shield(double footprint_radius, double hard_margin, double reach);
-  /// `footprint`: with its circumscribed radius in place of that of the disc.
+  /// `hard_margin`: m, see freeDistance(). `reach`: farthest obstacle that is looked at, m. Throws
+  /// std::invalid_argument unless 0 <= margin and circumscribed radius + margin < reach.
   Shield(const Footprint& footprint, double hard_margin, double reach);
 
   /// Replaces what is known by the returns of one scan (base frame).

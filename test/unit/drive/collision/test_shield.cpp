@@ -19,7 +19,7 @@ constexpr double kReach = 2.5;
 constexpr double kLimit = 2.0;
 
 double freeDistanceTo(const std::vector<Point2>& obstacles, double direction = 0.0, double clearance = kClearance) {
-  Shield shield(kRadius, kHardMargin, kReach);
+  Shield shield(Footprint(kRadius), kHardMargin, kReach);
   shield.show(obstacles);
   return shield.freeDistance({}, direction, kLimit, clearance);
 }
@@ -50,7 +50,7 @@ TEST(Shield, IgnoresWhatLiesBehindOrAbeam) {
 }
 
 TEST(Shield, MeasuresFromWhereItIsAsked) {
-  Shield shield(kRadius, kHardMargin, kReach);
+  Shield shield(Footprint(kRadius), kHardMargin, kReach);
   shield.show({{1.0, 1.0}});
   EXPECT_DOUBLE_EQ(shield.freeDistance({0.0, 1.0}, 0.0, kLimit, kClearance), 0.5);
 }
@@ -92,7 +92,7 @@ TEST(Shield, KeepsTheHardMarginOfANoisyWallForTenThousandSteps) {
   constexpr double kWallAt = 2.0;
   const double noise = 0.01;
   Random random(7);
-  Shield shield(kRadius, kHardMargin, kReach);
+  Shield shield(Footprint(kRadius), kHardMargin, kReach);
   double x = 0.0;
   double nearest = kWallAt;
   for (int step = 0; step < 10000; ++step) {
@@ -111,7 +111,7 @@ TEST(Shield, KeepsTheHardMarginOfANoisyWallForTenThousandSteps) {
 }
 
 TEST(Shield, TellsTheGapToTheNearestReturn) {
-  Shield shield(kRadius, kHardMargin, kReach);
+  Shield shield(Footprint(kRadius), kHardMargin, kReach);
   EXPECT_DOUBLE_EQ(shield.gap({}), kReach);
   shield.show({{2.0, 0.0}, {0.0, -1.0}});
   EXPECT_DOUBLE_EQ(shield.gap({}), 0.75);
@@ -119,7 +119,7 @@ TEST(Shield, TellsTheGapToTheNearestReturn) {
 }
 
 TEST(Shield, ForgetsTheScanBefore) {
-  Shield shield(kRadius, kHardMargin, kReach);
+  Shield shield(Footprint(kRadius), kHardMargin, kReach);
   shield.show({{1.0, 0.0}});
   shield.show({});
   EXPECT_DOUBLE_EQ(shield.freeDistance({}, 0.0, kLimit, kClearance), kLimit);
@@ -127,7 +127,7 @@ TEST(Shield, ForgetsTheScanBefore) {
 
 double freeArcTo(const std::vector<Point2>& obstacles, double curvature, double limit = kLimit,
                  double clearance = kClearance) {
-  Shield shield(kRadius, kHardMargin, kReach);
+  Shield shield(Footprint(kRadius), kHardMargin, kReach);
   shield.show(obstacles);
   return shield.freeArc({}, curvature, limit, clearance);
 }
@@ -168,7 +168,7 @@ TEST(ShieldArc, IsTheStraightLineInTheLimit) {
 }
 
 TEST(ShieldArc, MeasuresFromThePoseThatItIsAskedFor) {
-  Shield shield(kRadius, kHardMargin, kReach);
+  Shield shield(Footprint(kRadius), kHardMargin, kReach);
   const Pose2 from{0.5, -0.25, 2.0};
   shield.show({toParentFrame(from, {1.0, 1.0})});
   EXPECT_NEAR(shield.freeArc(from, 1.0, kLimit, kClearance), M_PI_2 - 2.0 * std::asin(0.25), 1e-12);
@@ -221,7 +221,7 @@ TEST(ShieldArc, AgreesWithSteppingAlongTheArc) {
 }
 
 TEST(ShieldArc, TellsTheSmallestGapOfAnArc) {
-  Shield shield(kRadius, kHardMargin, kReach);
+  Shield shield(Footprint(kRadius), kHardMargin, kReach);
   EXPECT_DOUBLE_EQ(shield.arcGap({}, 1.0, 1.0), kReach);
   shield.show({{0.0, 2.4}});
   EXPECT_NEAR(shield.arcGap({}, 1.0, 0.0), 2.4 - kRadius, 1e-12);                      // at its start
@@ -234,15 +234,15 @@ TEST(ShieldArc, TellsTheSmallestGapOfAnArc) {
 
 TEST(Shield, RefusesADiscThatItCannotWatch) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(Shield(0.0, 0.03, 2.5), std::invalid_argument);
-  EXPECT_THROW(Shield(0.2, -0.01, 2.5), std::invalid_argument);
-  EXPECT_THROW(Shield(0.2, 0.03, 0.23), std::invalid_argument);
-  EXPECT_THROW(Shield(nan, 0.03, 2.5), std::invalid_argument);
-  EXPECT_THROW(Shield(0.2, 0.03, nan), std::invalid_argument);
+  EXPECT_THROW(Shield(Footprint(0.0), 0.03, 2.5), std::invalid_argument);
+  EXPECT_THROW(Shield(Footprint(0.2), -0.01, 2.5), std::invalid_argument);
+  EXPECT_THROW(Shield(Footprint(0.2), 0.03, 0.23), std::invalid_argument);
+  EXPECT_THROW(Shield(Footprint(nan), 0.03, 2.5), std::invalid_argument);
+  EXPECT_THROW(Shield(Footprint(0.2), 0.03, nan), std::invalid_argument);
 }
 
 TEST(Shield, PassesOverWhatIsNoNumber) {
-  Shield shield(0.2, 0.03, 6.0);
+  Shield shield(Footprint(0.2), 0.03, 6.0);
   std::vector<Point2> wall(16, {2.0, 0.0});
   wall[3].x = std::numeric_limits<double>::quiet_NaN();
   shield.show(wall);
@@ -250,7 +250,7 @@ TEST(Shield, PassesOverWhatIsNoNumber) {
 }
 
 TEST(Shield, TakesOthersInBesideThoseOfTheScan) {
-  Shield shield(0.2, 0.03, 6.0);
+  Shield shield(Footprint(0.2), 0.03, 6.0);
   shield.show({{3.0, 0.0}});
   shield.add(std::vector<Point2>(40, {2.0, 0.0}));
   EXPECT_NEAR(shield.freeDistance({}, 0.0, 6.0, 0.0), 1.8, 1e-9);

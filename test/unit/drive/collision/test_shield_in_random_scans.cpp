@@ -82,7 +82,7 @@ class ShieldInRandomScans : public ::testing::Test {
   }
 
   std::mt19937 random_{5};
-  Shield shield_{kRadius, kHardMargin, kReach};
+  Shield shield_{Footprint(kRadius), kHardMargin, kReach};
 };
 
 TEST_F(ShieldInRandomScans, FreesNoPathThatAReturnBlocks) {

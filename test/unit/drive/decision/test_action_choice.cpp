@@ -10,7 +10,7 @@ namespace {
 
 class ActionChoiceTest : public ::testing::Test {
  protected:
-  ActionChoiceTest() : shield_(0.17425, 0.03, 6.0) { shield_.show({}); }
+  ActionChoiceTest() : shield_(Footprint(0.17425), 0.03, 6.0) { shield_.show({}); }
 
   std::optional<ActionChoice::Action> choose(std::optional<int> imposed = std::nullopt) {
     return ActionChoice(parameters_).choose(actions_, 0.0, 0.0, shield_, preferences_, imposed, &allowed_);

@@ -46,7 +46,7 @@ class AmongPersons {
   std::vector<Pose2> plan_;
   MotionController controller_{MotionParameters{}};
   MovingReturns moving_{MovingReturnsParameters{}};
-  Shield shield_{kRadius, 0.03, 2.5};
+  Shield shield_{Footprint(kRadius), 0.03, 2.5};
   Situation situation_;
 };
 
@@ -108,7 +108,7 @@ TEST(MotionAmongPeople, GetsAwayFromAPersonWhoHasComeWithinItsMargin) {
     SimulatedRobot robot(world, parameters, {1.5, 4.0, 0.0}, 5);
     const Point2 goal = pointAlong(Point2{}, degreesToRadians(degrees), 1.0);
     const MotionController controller{MotionParameters{}};
-    Shield shield(kRadius, 0.03, 2.5);
+    Shield shield(Footprint(kRadius), 0.03, 2.5);
     Situation situation;
     double nearest = 1.0;
     while (robot.time() < 15.0) {

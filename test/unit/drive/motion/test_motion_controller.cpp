@@ -21,7 +21,7 @@ using test::planAlong;
 
 class MotionControllerTest : public ::testing::Test {
  protected:
-  MotionControllerTest() : controller_(MotionParameters{}), shield_(kRadius, 0.03, 2.5) {}
+  MotionControllerTest() : controller_(MotionParameters{}), shield_(Footprint(kRadius), 0.03, 2.5) {}
 
   Twist2 compute(const std::vector<Pose2>& plan, const Pose2& pose = {}, const Twist2& current = {0.3, 0.0}) const {
     return controller_.compute({plan, pose, current, shield_, kPeriod});

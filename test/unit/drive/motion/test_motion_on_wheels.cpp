@@ -40,7 +40,7 @@ MotionParameters limitsOfLargeRobot() {
 int contactsAfterATurn(int ticks, const World& world) {
   PathTracker tracker(limitsOfLargeRobot());
   SimulatedRobot robot(world, largeRobot(), {1.0, 6.0, 0.6}, 1);
-  Shield shield(kRadius, 0.03, 6.0);
+  Shield shield(Footprint(kRadius), 0.03, 6.0);
   Situation situation;
   for (int tick = 0; tick < ticks + 30; ++tick) {
     robot.sense(6.0, &situation);
@@ -68,7 +68,7 @@ int wallsThatHinder(double wheel_acceleration) {
   MotionParameters limits = limitsOfLargeRobot();
   limits.wheel_acceleration = wheel_acceleration;
   const MotionController controller(limits);
-  Shield shield(kRadius, 0.03, 6.0);
+  Shield shield(Footprint(kRadius), 0.03, 6.0);
   const Twist2 before{1.2, -1.2};
   const std::vector<Pose2> plan = test::planAlong({{0.0, 0.0}, pointAlong(Point2{}, 1.0, 3.0)});
   const auto command = [&] {

@@ -17,7 +17,7 @@ constexpr double kPeriod = 0.1;    // s
 /// A round robot that stands, held, between returns ahead and behind.
 class PathTrackerTest : public ::testing::Test {
  protected:
-  PathTrackerTest() : tracker_(withPatience()), shield_(0.17, 0.03, 4.0) {
+  PathTrackerTest() : tracker_(withPatience()), shield_(Footprint(0.17), 0.03, 4.0) {
     situation_.obstacles = {{0.18, 0.0}, {-0.18, 0.0}};
     shield_.show(situation_.obstacles);
   }
