@@ -41,7 +41,7 @@ FootprintSweep FootprintSweep::arc(const Footprint& footprint, double curvature,
 
 double FootprintSweep::freeBefore(const Point2& point, double distance, double limit) const {
   const Point2 local = mirrored(point);
-  return turns_ || radius_ > 0.0 ? freeTurn(local, distance, limit) : freeStraight(local, distance, limit);
+  return isStraight() ? freeStraight(local, distance, limit) : freeTurn(local, distance, limit);
 }
 
 double FootprintSweep::freeStraight(const Point2& point, double distance, double limit) const {
@@ -62,6 +62,10 @@ double FootprintSweep::freeStraight(const Point2& point, double distance, double
 }
 
 double FootprintSweep::angleOf(const Point2& place) const { return std::atan2(place.x, radius_ - place.y); }
+
+Point2 FootprintSweep::placeAt(double angle, double around) const {
+  return {around * std::sin(angle), radius_ - around * std::cos(angle)};
+}
 
 template <typename Note>
 void FootprintSweep::meet(const Point2& point, double distance, const Note& note) const {
@@ -108,9 +112,8 @@ double FootprintSweep::leastDistance(const Point2& point, double length) const {
   const std::vector<Point2>& corners = footprint_.corners();
   const double now = footprint_.distanceTo(local);
   if (now <= 0.0 || freeBefore(point, 0.0, length) < length) return 0.0;
-  const bool straight = !turns_ && radius_ <= 0.0;
   double least = now;
-  if (straight) {
+  if (isStraight()) {
     // A convex polygon and a straight path: nearest at one of the ends, or where a corner of either faces the other.
     const Point2 end{local.x - length, local.y};
     least = std::min(least, footprint_.distanceTo(end));
@@ -122,13 +125,12 @@ double FootprintSweep::leastDistance(const Point2& point, double length) const {
   const double first = angleOf(local);
   const double around = std::hypot(local.x, radius_ - local.y);
   const auto isPassed = [&](double angle) { return fullTurn(first - angle) <= whole; };
-  const auto at = [&](double angle) { return Point2{around * std::sin(angle), radius_ - around * std::cos(angle)}; };
-  least = std::min(least, footprint_.distanceTo(at(first - whole)));
+  least = std::min(least, footprint_.distanceTo(placeAt(first - whole, around)));
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Point2& from = corners[i];
     const Point2& to = corners[(i + 1) % corners.size()];
     for (const double angle : {angleOf(from), directionTo(from, to), directionTo(from, to) + M_PI}) {
-      if (isPassed(angle)) least = std::min(least, footprint_.distanceTo(at(angle)));
+      if (isPassed(angle)) least = std::min(least, footprint_.distanceTo(placeAt(angle, around)));
     }
   }
   return least;
@@ -138,13 +140,9 @@ bool FootprintSweep::comesNearer(const Point2& point) const {
   const Point2 local = mirrored(point);
   constexpr double kShort = 1e-4;     // m
   constexpr double kRounding = 1e-9;  // m
-  const double angle = turns_ ? kShort / std::max(kShort, footprint_.circumscribedRadius())
-                              : (radius_ > 0.0 ? kShort / (radius_ + footprint_.circumscribedRadius()) : 0.0);
-  const double around = std::hypot(local.x, radius_ - local.y);
-  const double then = angleOf(local) - angle;
-  const bool straight = !turns_ && radius_ <= 0.0;
-  const Point2 later =
-      straight ? Point2{local.x - kShort, local.y} : Point2{around * std::sin(then), radius_ - around * std::cos(then)};
+  const double angle = kShort / (radius_ + footprint_.circumscribedRadius());
+  const Point2 later = isStraight() ? Point2{local.x - kShort, local.y}
+                                    : placeAt(angleOf(local) - angle, std::hypot(local.x, radius_ - local.y));
   return footprint_.distanceTo(later) < footprint_.distanceTo(local) - kRounding;
 }
 

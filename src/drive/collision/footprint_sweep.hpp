@@ -41,6 +41,7 @@ class FootprintSweep {
   Point2 mirrored(const Point2& point) const {
     return {mirror_front_ ? -point.x : point.x, mirror_side_ ? -point.y : point.y};
   }
+  bool isStraight() const { return !turns_ && radius_ <= 0.0; }
   double freeStraight(const Point2& point, double distance, double limit) const;
   double freeTurn(const Point2& point, double distance, double limit) const;
   /// Calls note(place) for each point of the outline, grown by `distance`, at the same distance from the turning centre
@@ -49,7 +50,9 @@ class FootprintSweep {
   void meet(const Point2& point, double distance, const Note& note) const;
   /// Where a place is around the centre of the turn, in the sense of the turn from below the centre, rad.
   double angleOf(const Point2& place) const;
-  /// The same as a length of the motion.
+  /// The place at that angle, so far (m) from the centre.
+  Point2 placeAt(double angle, double around) const;
+  /// An angle as a length of the motion.
   double lengthOf(double angle) const { return turns_ ? angle : radius_ * angle; }
 
   Footprint footprint_;  ///< mirrored, such that all motion is forward and to the left
