@@ -35,7 +35,7 @@ double freeRange(const Observation& observation, int direction) {
 
 void DriveTrace::clear() {
   places_.clear();
-  has_pose_ = false;
+  last_pose_.reset();
   progress_.clear();
 }
 
@@ -44,7 +44,6 @@ void DriveTrace::update(const Pose2& pose, Observation* observation) {
   lookAround(pose, observation);
   noteProgress(observation);
   noteMotion(pose, observation);
-  has_pose_ = true;
 }
 
 void DriveTrace::lookAround(const Pose2& pose, Observation* observation) const {
@@ -75,9 +74,9 @@ void DriveTrace::noteProgress(Observation* observation) {
 }
 
 void DriveTrace::noteMotion(const Pose2& pose, Observation* observation) {
-  if (has_pose_) {
-    observation->motion = toLocalFrame(last_pose_, {pose.x, pose.y});
-    observation->turn = normalizeAngle(pose.yaw - last_pose_.yaw);
+  if (last_pose_) {
+    observation->motion = toLocalFrame(*last_pose_, {pose.x, pose.y});
+    observation->turn = normalizeAngle(pose.yaw - last_pose_->yaw);
   }
   last_pose_ = pose;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lstm_planner {
 
@@ -13,9 +14,7 @@ constexpr double kHiddenBy = 0.1;    // m of air between what hides a return and
 
 double squaredLength(const Point2& point) { return point.x * point.x + point.y * point.y; }
 
-}  // namespace
-
-bool OutOfView::isInView(const RangeProfile& profile, const Point2& place) {
+bool isInView(const RangeProfile& profile, const Point2& place) {
   const double direction = directionTo(profile.origin, place);
   // Beside the last beam nothing is in view, however near: what a slow turn takes out of view leaves it there.
   if (!profile.isInView(direction)) return false;
@@ -26,11 +25,13 @@ bool OutOfView::isInView(const RangeProfile& profile, const Point2& place) {
   return range > distanceBetween(profile.origin, place) - kHiddenBy;
 }
 
-bool OutOfView::isInView(const Situation& situation, const Point2& place) {
+bool isInView(const Situation& situation, const Point2& place) {
   return isInView(situation.profile, place) ||
          std::any_of(situation.second.begin(), situation.second.end(),
                      [&](const SecondView& view) { return isInView(view.profile, place); });
 }
+
+}  // namespace
 
 void OutOfView::show(const Situation& situation) {
   const Pose2 before = compose(inverse(situation.pose), pose_);
@@ -42,9 +43,9 @@ void OutOfView::show(const Situation& situation) {
     return std::any_of(points_.begin(), points_.end(),
                        [&](const Point2& other) { return distanceBetween(place, other) < kSamePlace; });
   };
-  old_.swap(points_);
+  const std::vector<Point2> old = std::move(points_);
   points_.clear();
-  for (const Point2& point : old_) {
+  for (const Point2& point : old) {
     const Point2 place = toParentFrame(before, point);
     if (matters(place)) points_.push_back(place);
   }

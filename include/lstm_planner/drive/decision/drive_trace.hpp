@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "lstm_planner/common/geometry.hpp"
 #include "lstm_planner/common/progress_watch.hpp"
 #include "lstm_planner/drive/decision/place_trace.hpp"
@@ -27,8 +29,7 @@ class DriveTrace {
   void noteMotion(const Pose2& pose, Observation* observation);
 
   PlaceTrace places_;
-  bool has_pose_ = false;
-  Pose2 last_pose_;
+  std::optional<Pose2> last_pose_;  ///< of the drive to this goal
   ProgressWatch progress_{kProgress};
 };
 

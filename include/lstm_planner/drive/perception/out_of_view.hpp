@@ -29,14 +29,10 @@ class OutOfView {
  private:
   static constexpr double kAround = 1.5;  // m: a robot with corners goes back as far as this (Trail)
 
-  static bool isInView(const RangeProfile& profile, const Point2& place);
-  static bool isInView(const Situation& situation, const Point2& place);
-
   double near_;                    ///< m from the robot's middle within which returns matter
   Pose2 pose_;                     ///< odometry frame, of the last situation
   std::vector<Point2> points_;     ///< base frame, oldest first
   std::vector<Point2> seen_last_;  ///< returns of the last situation within near_, base frame
-  std::vector<Point2> old_;        ///< memory that is used again
 };
 
 }  // namespace lstm_planner
