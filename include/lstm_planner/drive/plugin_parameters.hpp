@@ -21,7 +21,7 @@ struct SensorParameters {
   double max_speed = 1.0;
   ScanRules scan_rules;  ///< what the scanner's readings mean
 
-  // No parameters: what the timeouts are at least where they follow the sensors, s.
+  // No parameters: the least timeouts, s, where they follow the sensors' periods.
   double least_scan_timeout = 0.5;
   double least_odom_timeout = 0.5;
 };

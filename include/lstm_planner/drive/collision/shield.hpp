@@ -23,7 +23,7 @@ class Shield {
 
   /// Replaces what is known by the returns of one scan (base frame).
   void show(const std::vector<Point2>& obstacles);
-  /// Others, too (base frame), until the next scan is shown.
+  /// Adds others (base frame), until the next scan is shown.
   void add(const std::vector<Point2>& obstacles);
 
   /// Free length (m, at most `limit`) from `from` in `direction` (rad), and headed there, for the footprint grown by

@@ -28,7 +28,7 @@ class StepClock {
   /// Driven, or it has taken its time and the robot has moved at all.
   bool isOver(const Situation& situation, const Point2& waypoint) const;
 
-  /// The robot has stood still for too long, since the step started or since it was last said so.
+  /// The robot has stood still for too long, since the step started or since the last call that said so.
   bool isStalled(const Situation& situation);
 
  private:

@@ -36,11 +36,11 @@ class Clearance {
   /// Whether places count as passable that seem too narrow by not more than the error of noise and squares.
   void relaxClearance(bool on);
 
-  /// Something has changed in a cell.
+  /// Something has changed in a cell. After questions were asked, startChanges() must be called first.
   void outdate(int cell);
   /// Everything has changed.
   void outdateAll();
-  /// Since the last change questions may have been answered.
+  /// Changes follow: what was asked since the last ones is outdated by them, too.
   void startChanges() { outdated_ = -1; }
 
   int nearCells() const { return near_cells_; }  ///< within which an obstacle matters
@@ -83,7 +83,8 @@ class Clearance {
   bool isLineFree(const ObstacleWindow& window, const Square& from, const Square& to) const;
   bool isGapFree(const ObstacleWindow& window, const Point2& position, double radius) const;
 
-  /// The squares round: a path from best place to best place may come this much nearer to an obstacle in between.
+  /// What a path from best place to best place must keep to obstacles in between, m: squares round places by half a
+  /// square.
   double onThePath(double radius) const { return radius - 0.5 * resolution_; }
 
   double resolution_;          ///< m, of the window

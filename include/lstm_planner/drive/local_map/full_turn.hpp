@@ -19,8 +19,8 @@ class FullTurn {
   double turn_ = 0.0;   ///< rad since the start, counter-clockwise
   double least_ = 0.0;  ///< rad, of turn_
   double most_ = 0.0;   ///< rad, of turn_
-  double noted_ = 0.0;  ///< rad that it had seen more of than ever at since_
-  double since_ = 0.0;  ///< s
+  double noted_ = 0.0;  ///< rad, most_ - least_ when it last made progress
+  double since_ = 0.0;  ///< s, when that was
   double now_ = 0.0;    ///< s
 };
 

@@ -70,7 +70,7 @@ class LocalMap {
   /// counter-clockwise from the neighbour along x. 0 at the border of the window.
   std::uint8_t exits(int cell) { return clearance_.exits(window_, cell); }
 
-  /// Visits the middles of the occupied squares in the square of twice that `reach` (m) round a place.
+  /// Visits the middles of the occupied squares that are at most `reach` (m) from a place along each axis.
   template <typename Visit>
   void visitObstaclesNear(const Point2& place, double reach, const Visit& visit) const {
     window_.visitOccupiedNear(place, reach, visit);

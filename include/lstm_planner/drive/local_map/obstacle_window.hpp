@@ -66,7 +66,7 @@ class ObstacleWindow {
   /// window, until it answers true.
   template <typename Visit>
   void visitOccupied(const Square& first, const Square& last, const Visit& visit) const;
-  /// Visits the middles of the occupied squares in the square of twice that `reach` (m) round a place.
+  /// Visits the middles of the occupied squares that are at most `reach` (m) from a place along each axis.
   template <typename Visit>
   void visitOccupiedNear(const Point2& place, double reach, const Visit& visit) const;
   bool contains(const Square& square) const {

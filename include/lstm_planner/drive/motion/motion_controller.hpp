@@ -132,12 +132,12 @@ struct MotionSituation {
 /// What was commanded before, and the path that a robot with corners came (Trail).
 struct MotionHistory {
   std::optional<Pose2> back;           ///< the next pose back, or of a planned way out, base frame
-  bool goes_back = false;              ///< it was told to, last
+  bool goes_back = false;              ///< the last command was to go back
   std::vector<Twist2> commanded = {};  ///< newest last, a period apart; they may not have reached the wheels
   bool has_stood = false;              ///< for so long that two thirds of the safety margin must do
-  bool gets_out = false;               ///< `back` is of a planned way out: it is to go there
+  bool gets_out = false;               ///< `back` is of a planned way out, which it is to follow
 
-  /// That was commanded. Keeps those that may still be on their way for `time` s.
+  /// Adds a command. Keeps those that may not have reached the wheels yet, which takes up to `time` s.
   void note(const Twist2& command, double time, double period);
 };
 
@@ -150,9 +150,9 @@ struct MotionHistory {
 /// A circle may always turn in place. A polygon turns where its corners have room; else it drives on along a wider arc,
 /// or back along the path it came until it can turn.
 ///
-/// Yields to what moves: it is never faster than lets it stand before a thing that comes straight towards it at the
-/// speed of a person could reach the margin around it. It waits there, and goes on, slowly at first, when nothing moves
-/// near it. A fast robot can also get out of the way (evade()).
+/// Yields to what moves: if a thing came straight towards it at the speed of a person, it would stand before the thing
+/// could reach the margin around it. It waits there, and goes on, slowly at first, when nothing moves near it. A fast
+/// robot can also get out of the way (evade()).
 class MotionController {
  public:
   explicit MotionController(const MotionParameters& parameters);

@@ -7,14 +7,14 @@
 
 namespace lstm_planner {
 
-/// The cells of a costmap as costmap_2d keeps them, in a frame of its own. Somebody else's memory.
+/// The cells of a costmap as costmap_2d keeps them, in the costmap's frame. Somebody else owns them.
 struct CostGrid {
   const unsigned char* costs = nullptr;  ///< row by row from the origin
   int columns = 0;
   int rows = 0;
   double resolution = 0.0;        ///< m, side of a cell
   Point2 origin;                  ///< m, corner of the first cell
-  double inscribed_radius = 0.0;  ///< m, within which of an obstacle inflation makes cells inscribed
+  double inscribed_radius = 0.0;  ///< m; inflation marks cells as inscribed that are nearer to an obstacle
 };
 
 /// Finds the obstacles of a costmap around the robot that a scan does not show: from a depth camera or sonar, cliffs,
@@ -53,7 +53,7 @@ class CostmapObstacles {
   Window window_;
   Bits occupied_;
   Bits inscribed_;
-  Bits shown_;  ///< and what is beside it
+  Bits shown_;  ///< cells with returns, and those beside them
   Bits wide_;   ///< of dilate()
   Bits other_;
 };

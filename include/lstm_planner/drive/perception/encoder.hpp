@@ -77,10 +77,10 @@ class Encoder {
   void encode(const Observation& observation, Eigen::Ref<Eigen::VectorXf> input) const;
 
   /// With eight views: what is seen in each direction, from what encode() gave of the same observation. Value i of the
-  /// view into direction d of the odometry frame, in eighths of a turn, goes to inputs[i * stride + d]. Nothing depends
-  /// on how the odometry frame lies but which view is which; heading is the robot's, relative to the view. No range
-  /// could mean "not seen", so a sector into which the scanner does not look is 0 and its seen_ is 0: the network can
-  /// learn what to make of it.
+  /// view into direction d of the odometry frame, in eighths of a turn, goes to inputs[i * stride + d]. How
+  /// the odometry frame lies decides only which view is which. The heading is the robot's, relative to the view. No
+  /// range could mean "not seen", so a sector into which the scanner does not look is 0 and its seen_ is 0: the network
+  /// can learn what to make of it.
   void turn(const float* ahead, const ViewBearings& bearings, float* inputs, int stride) const;
 
   /// encode() and turn() in one, without what turn() would replace. `bearings`: of the observation. `ahead`: space for

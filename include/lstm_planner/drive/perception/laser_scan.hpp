@@ -45,7 +45,7 @@ struct RangeProfile {
 
   static constexpr float kSilent = -1.0f;
 
-  /// The same as a float, which may hold less.
+  /// `farthest_range` as a float, at most the largest one.
   float farthestRange() const {
     return static_cast<float>(std::min<double>(farthest_range, std::numeric_limits<float>::max()));
   }

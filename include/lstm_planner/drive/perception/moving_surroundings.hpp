@@ -24,7 +24,8 @@ class MovingSurroundings {
   const std::vector<Point2>& points() const { return points_; }    ///< MovingReturns::points() of all scanners
   const std::vector<Point2>& resting() const { return resting_; }  ///< MovingReturns::resting() of all scanners
 
-  /// Takes in the situation that was shown last, and tells what moves how; base frame. Who asks must ask each time.
+  /// What moves, and how, in the situation that was shown last; base frame. Things are followed from call to call, so
+  /// it must be called after each show(), or never.
   std::vector<MovingThing> follow(const Situation& situation);
 
   /// Forgets all: after a jump of the odometry, for instance.

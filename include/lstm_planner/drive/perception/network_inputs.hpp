@@ -18,7 +18,7 @@ enum class InputTurns {
   kBearing       ///< a value for each view: NetworkInput::from
 };
 
-/// How an input changes when right and left are exchanged: what mirrored(Observation) comes to, and is tested against.
+/// How an input changes when right and left are exchanged. A test compares it with mirrored(Observation).
 enum class InputMirrors {
   kNot,      ///< the same
   kSign,     ///< its sign
