@@ -8,24 +8,24 @@
 namespace lstm_planner {
 namespace {
 
-constexpr double kKept = 4.0;          // s
-constexpr double kBetween = 0.01;      // s, at least, from one sample to the next
-constexpr double kPause = 1.5;         // s; what the robot did in a longer one is not known
-constexpr double kCheckPeriod = 0.1;   // s
-constexpr std::size_t kQuarters = 4;   // of a span
-constexpr double kDelay = 0.2;         // s, of a filtered twist
-constexpr double kWrong = 0.3;         // share of a way by which the twist may differ
-constexpr double kNoises = 8.0;        // by which both ends of a way may be wrong together
-constexpr double kEvenNoises = 5.0;    // by which a pose may be beside an even drive
-constexpr double kLeastNoise = 1e-4;   // m or rad
-constexpr double kLongestEven = 1.0;   // s
-constexpr double kShortestEven = 0.1;  // s
-constexpr double kJump = 0.05;         // m or rad beside an even drive that no robot gets to at once,
-constexpr double kSwerve = 5.0;        // and m/s^2 or rad/s^2 that it may be beside
+constexpr double kWatched = 4.0;        // s
+constexpr double kBetween = 0.01;       // s, at least, from one sample to the next
+constexpr double kLongestPause = 1.5;   // s; what the robot did in a longer one is not known
+constexpr double kCheckPeriod = 0.1;    // s
+constexpr std::size_t kQuarters = 4;    // of a span
+constexpr double kDelay = 0.2;          // s, of a filtered twist
+constexpr double kWrong = 0.3;          // share of a way by which the twist may differ
+constexpr double kNoises = 8.0;         // by which both ends of a way may be wrong together
+constexpr double kEvenNoises = 5.0;     // by which a pose may be beside an even drive
+constexpr double kLeastNoise = 1e-4;    // m or rad
+constexpr double kLongestEven = 1.0;    // s
+constexpr double kShortestEven = 0.1;   // s
+constexpr double kBesideAtOnce = 0.05;  // m or rad beside an even drive that no robot gets to at once,
+constexpr double kSwerve = 5.0;         // and m/s^2 or rad/s^2 that it may be beside
 
 /// What counts as standing: odometry may creep, and a twist be rounded. A Create 2 counts ticks over 15 ms, and one
 /// tick of a wheel is 0.126 rad/s there.
-constexpr double kStill = 0.01;      // m
+constexpr double kStillWay = 0.01;   // m
 constexpr double kCreep = 0.008;     // m/s
 constexpr double kStillTurn = 0.03;  // rad
 constexpr double kCreepTurn = 0.15;  // rad/s
@@ -35,7 +35,7 @@ constexpr double kCreepTurn = 0.15;  // rad/s
 void TwistWatch::note(double stamp, const Pose2& pose, const Twist2& twist) {
   said_ = twist;
   const double elapsed = samples_.empty() ? 0.0 : stamp - samples_.back().stamp;
-  if (elapsed < 0.0 || elapsed > kPause) restart();
+  if (elapsed < 0.0 || elapsed > kLongestPause) restart();
   if (samples_.empty()) {
     samples_.push_back({stamp, pose, twist, {}, {}, {}});
     return;
@@ -58,7 +58,7 @@ TwistWatch::Way TwistWatch::shownWay(const Sample& from, const Sample& to) {
   const Pose2 halfway{from.pose.x, from.pose.y, from.pose.yaw + 0.5 * turned};
   const Way way{toLocalFrame(halfway, {to.pose.x, to.pose.y}).x, turned};
   const Way even{shown_.linear * elapsed, shown_.angular * elapsed};
-  const double beside = kJump + kSwerve * elapsed * elapsed;
+  const double beside = kBesideAtOnce + kSwerve * elapsed * elapsed;
   const bool jumps = std::abs(way.forward - even.forward) > beside || std::abs(way.turned - even.turned) > beside;
   has_jumped_ = contradiction_ && jumps && !has_jumped_;
   return has_jumped_ ? even : way;
@@ -71,7 +71,7 @@ void TwistWatch::keep(const Sample& sample) {
   const bool is_near = samples_.size() > 1 && sample.stamp - (samples_.end() - 2)->stamp < kBetween;
   if (is_same || is_near) samples_.pop_back();
   samples_.push_back(sample);
-  while (samples_.front().stamp < sample.stamp - kKept) samples_.pop_front();
+  while (samples_.front().stamp < sample.stamp - kWatched) samples_.pop_front();
 }
 
 void TwistWatch::judge() {
@@ -83,7 +83,7 @@ void TwistWatch::judge() {
   for (const double seconds : {1.0, 2.0, 4.0}) {
     const std::optional<Span> span = contradiction_ ? std::nullopt : lastSpan(seconds);
     if (!span) continue;
-    const bool is_wrong = contradicts(&Way::forward, *span, kStill + kCreep * seconds + kNoises * noise) ||
+    const bool is_wrong = contradicts(&Way::forward, *span, kStillWay + kCreep * seconds + kNoises * noise) ||
                           contradicts(&Way::turned, *span, kStillTurn + kCreepTurn * seconds + kNoises * turn_noise);
     if (is_wrong) contradiction_ = meansOf(*span);
   }
@@ -126,7 +126,7 @@ std::optional<TwistWatch::Span> TwistWatch::lastSpan(double seconds) const {
     span[i] = &*border;
     if (i > 0 && span[i] == span[i - 1]) return std::nullopt;
   }
-  // Rounding: the first sample may be a little younger than kKept.
+  // Rounding: the first sample may be a little younger than kWatched.
   return span.front()->stamp > end - 0.9 * seconds ? std::nullopt : std::make_optional(span);
 }
 
