@@ -75,8 +75,7 @@ class ObstacleWindow {
   bool isOccupied(const Square& square) const { return squares_.test(square.column, square.row); }
   /// Whether something stands there from now on; the square's cell.
   int set(const Square& square, bool occupied);
-  const BitRows& squares() const { return squares_; }  ///< that are occupied
-  const BitRows& cells() const { return cells_; }      ///< with an occupied square
+  const BitRows& cells() const { return cells_; }  ///< with an occupied square
 
  private:
   double resolution_;

@@ -14,8 +14,6 @@ class BeamDirections {
   /// The beams at `first` + i * `increment` (rad); what is there already is kept.
   void set(double first, double increment, std::size_t beams);
 
-  std::size_t size() const { return vectors_.size(); }
-  const Point2* data() const { return vectors_.data(); }
   const Point2& operator[](std::size_t beam) const { return vectors_[beam]; }
 
  private:
