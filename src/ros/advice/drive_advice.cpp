@@ -1,6 +1,6 @@
 #include "lstm_planner/ros/advice/drive_advice.hpp"
 
-#include <diagnostic_msgs/DiagnosticStatus.h>
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
 #include <ros/callback_queue.h>
 
 #include <exception>
@@ -28,13 +28,6 @@ RecorderParameters stepParameters(const PolicyDescription& description, const Dr
   steps.delay = parameters.delay;
   steps.max_speed = sensors.max_speed;
   return steps;
-}
-
-void add(const std::string& key, double value, DiagnosticStatus* status) {
-  diagnostic_msgs::KeyValue entry;
-  entry.key = key;
-  entry.value = std::to_string(value);
-  status->values.push_back(entry);
 }
 
 }  // namespace
@@ -133,18 +126,19 @@ void DriveAdvice::publishAgreement() {
   const auto share = [](long count, long all) {
     return all > 0 ? static_cast<double>(count) / static_cast<double>(all) : 0.0;
   };
-  DiagnosticStatus status;
+  diagnostic_updater::DiagnosticStatusWrapper status;
+  const auto add = [&status](const std::string& key, double value) { status.add(key, std::to_string(value)); };
   status.name = "drive_advice: agreement";
   status.message = describeReplay(replay_);
-  add("decisions", static_cast<double>(agreement.decisions), &status);
-  add("same", static_cast<double>(agreement.same_action), &status);
-  add("accuracy", share(agreement.same_action, agreement.decisions), &status);
-  add("balanced", agreement.balanced, &status);
-  add("majority", agreement.majority, &status);
-  add("majority_balanced", agreement.majority_balanced, &status);
-  add("mean_difference", agreement.mean_difference, &status);
-  add("network", share(agreement.preferred, agreement.asked), &status);
-  agreement_.publish(status);
+  add("decisions", static_cast<double>(agreement.decisions));
+  add("same", static_cast<double>(agreement.same_action));
+  add("accuracy", share(agreement.same_action, agreement.decisions));
+  add("balanced", agreement.balanced);
+  add("majority", agreement.majority);
+  add("majority_balanced", agreement.majority_balanced);
+  add("mean_difference", agreement.mean_difference);
+  add("network", share(agreement.preferred, agreement.asked));
+  agreement_.publish(static_cast<const DiagnosticStatus&>(status));
 }
 
 DriveAdviceParameters loadDriveAdviceParameters(const ros::NodeHandle& private_node) {

@@ -1,6 +1,7 @@
 #include "lstm_planner/ros/planner/decision_publisher.hpp"
 
 #include <diagnostic_msgs/DiagnosticArray.h>
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
 
 #include <sstream>
 
@@ -15,26 +16,12 @@ using diagnostic_msgs::DiagnosticStatus;
 constexpr int kDecisionQueue = 1000;  // a recording that is replayed as fast as possible has many decisions at a time
 
 template <typename T>
-std::string text(const T& value) {
-  std::ostringstream stream;
-  stream << value;
-  return stream.str();
-}
-
-template <typename T>
 std::string listText(const std::vector<T>& values) {
   std::ostringstream stream;
   for (std::size_t i = 0; i < values.size(); ++i) {
     stream << (i == 0 ? "" : ", ") << +values[i];
   }
   return stream.str();
-}
-
-void add(const std::string& key, const std::string& value, DiagnosticStatus* status) {
-  diagnostic_msgs::KeyValue entry;
-  entry.key = key;
-  entry.value = value;
-  status->values.push_back(entry);
 }
 
 unsigned char levelOf(const Decision& decision) {
@@ -55,30 +42,29 @@ void DecisionPublisher::publish(const std_msgs::Header& header, const Situation&
   if (publisher_.getNumSubscribers() == 0) {
     return;
   }
-  DiagnosticStatus status;
-  status.level = levelOf(decision);
+  diagnostic_updater::DiagnosticStatusWrapper status;
   status.name = "lstm_planner: decision";
-  status.message = toString(decision.choice);
-  add("what", describe(decision), &status);
-  add("leader", toString(decision.leader), &status);
-  add("why", decision.why, &status);
-  add("step", text(decision.step), &status);
-  add("goal_distance", text(distanceBetween(situation.pose, goal)), &status);
-  add("goal_bearing", text(normalizeAngle(directionTo(situation.pose, goal) - situation.pose.yaw)), &status);
-  add("action", text(decision.action), &status);
-  add("preferred", text(decision.preferred), &status);
-  add("overruled", toString(decision.overruled), &status);
-  add("on_remembered_path", decision.on_route ? "yes" : "no", &status);
-  add("regret", text(decision.regret), &status);
-  add("regret_used", text(decision.regret_used), &status);
-  add("regret_allowed", text(decision.regret_allowed), &status);
-  add("steering_angle", text(normalizeAngle(decision.direction - situation.pose.yaw)), &status);
-  add("route_points", text(decision.path_on.size()), &status);
-  add("destination", text(decision.destination.x) + ", " + text(decision.destination.y), &status);
-  add("goal_seems", toString(decision.goal_seems), &status);
-  add("preferences", listText(decision.preferences), &status);
-  add("allowed", listText(decision.allowed), &status);
-  add("action_angles", action_angles_, &status);
+  status.summary(levelOf(decision), toString(decision.choice));
+  status.add("what", describe(decision));
+  status.add("leader", toString(decision.leader));
+  status.add("why", decision.why);
+  status.add("step", decision.step);
+  status.add("goal_distance", distanceBetween(situation.pose, goal));
+  status.add("goal_bearing", normalizeAngle(directionTo(situation.pose, goal) - situation.pose.yaw));
+  status.add("action", decision.action);
+  status.add("preferred", decision.preferred);
+  status.add("overruled", toString(decision.overruled));
+  status.add("on_remembered_path", decision.on_route ? "yes" : "no");
+  status.add("regret", decision.regret);
+  status.add("regret_used", decision.regret_used);
+  status.add("regret_allowed", decision.regret_allowed);
+  status.add("steering_angle", normalizeAngle(decision.direction - situation.pose.yaw));
+  status.add("route_points", decision.path_on.size());
+  status.add("destination", listText(std::vector<double>{decision.destination.x, decision.destination.y}));
+  status.add("goal_seems", toString(decision.goal_seems));
+  status.add("preferences", listText(decision.preferences));
+  status.add("allowed", listText(decision.allowed));
+  status.add("action_angles", action_angles_);
   diagnostic_msgs::DiagnosticArray message;
   message.header = header;
   message.status.push_back(status);

@@ -1,5 +1,7 @@
 #include "ros/recorder/dataset_recorder_status.hpp"
 
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -15,7 +17,7 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 
 struct Verdict {
-  int level;
+  unsigned char level;
   std::string text;
 };
 
@@ -79,46 +81,36 @@ Verdict judge(const RecordingStatus& status) {
   return {DiagnosticStatus::OK, "recording"};
 }
 
-void add(const std::string& key, const std::string& value, DiagnosticStatus* message) {
-  diagnostic_msgs::KeyValue entry;
-  entry.key = key;
-  entry.value = value;
-  message->values.push_back(entry);
-}
-
-void add(const std::string& key, long value, DiagnosticStatus* message) { add(key, std::to_string(value), message); }
-
 }  // namespace
 
 DiagnosticStatus toDiagnostic(const RecordingStatus& status) {
   const Verdict verdict = judge(status);
   const RecordingProgress& progress = *status.progress;
-  DiagnosticStatus message;
-  message.level = static_cast<decltype(message.level)>(verdict.level);
+  diagnostic_updater::DiagnosticStatusWrapper message;
   message.name = status.node + ": recording";
-  message.message = verdict.text;
-  add("file", status.file, &message);
-  add("paused", status.paused ? "yes" : "no", &message);
-  add("goal", status.goal ? describe(*status.goal) : "none", &message);
-  add("steps", progress.steps(), &message);
-  add("steps stored", status.stored, &message);
-  add("steps waiting", status.waiting, &message);
-  add("steps lost", status.lost, &message);
-  add("episodes", progress.episodes(), &message);
-  add("episodes arrived", progress.arrived(), &message);
-  add("episodes discarded", progress.discarded(), &message);
+  message.summary(verdict.level, verdict.text);
+  message.add("file", status.file);
+  message.add("paused", status.paused ? "yes" : "no");
+  message.add("goal", status.goal ? describe(*status.goal) : "none");
+  message.add("steps", progress.steps());
+  message.add("steps stored", status.stored);
+  message.add("steps waiting", status.waiting);
+  message.add("steps lost", status.lost);
+  message.add("episodes", progress.episodes());
+  message.add("episodes arrived", progress.arrived());
+  message.add("episodes discarded", progress.discarded());
   for (std::size_t i = 0; i < status.action_angles.size(); ++i) {
-    add("label " + degrees(status.action_angles[i]), progress.labels().at(i), &message);
+    message.add("label " + degrees(status.action_angles[i]), progress.labels().at(i));
   }
   for (int i = 0; i < kRejectionCount; ++i) {
-    add("rejected: " + std::string(toString(static_cast<Rejection>(i))),
-        progress.rejections()[static_cast<std::size_t>(i)], &message);
+    message.add("rejected: " + std::string(toString(static_cast<Rejection>(i))),
+                progress.rejections()[static_cast<std::size_t>(i)]);
   }
-  add("scans heard", status.scans_heard, &message);
-  add("odometry heard", status.odometry_heard, &message);
-  add("goals heard", status.goals_heard, &message);
-  add("disk left (MB)", fixedText(status.disk_left, 0), &message);
-  add("problem", status.write_problem.empty() ? status.problem : status.write_problem, &message);
+  message.add("scans heard", status.scans_heard);
+  message.add("odometry heard", status.odometry_heard);
+  message.add("goals heard", status.goals_heard);
+  message.add("disk left (MB)", fixedText(status.disk_left, 0));
+  message.add("problem", status.write_problem.empty() ? status.problem : status.write_problem);
   return message;
 }
 
