@@ -59,8 +59,7 @@ foreach(node_name IN LISTS node_names)
   list(FILTER shared_sources EXCLUDE REGEX "/${node_name}[^/]*$")
 endforeach()
 list(APPEND sources_of_standalone_move_base
-  src/ros/common/parameter_reader.cpp src/ros/common/parameter_value.cpp src/ros/common/pose_parameter.cpp
-  src/ros/common/transform_listener.cpp)
+  src/ros/common/parameter_reader.cpp src/ros/common/parameter_value.cpp src/ros/common/transform_listener.cpp)
 
 set(plugin_sources ${shared_sources})
 list(FILTER plugin_sources INCLUDE REGEX "/ros/(common|planner|controller)/")

@@ -145,7 +145,7 @@ DriveAdviceParameters loadDriveAdviceParameters(const ros::NodeHandle& private_n
   DriveAdviceParameters parameters;
   ParameterReader reader(private_node);
   visitDriveAdviceParameters(parameters, reader.visitor());
-  knowRobotFile(&reader);
+  reader.knowRobotFile();
   reader.warnOfUnknown();
   visitDriveAdviceParameters(std::as_const(parameters), RangeCheck());
   parameters.planner = loadGlobalPlannerParameters(ros::NodeHandle(private_node, "LstmGlobalPlanner"));

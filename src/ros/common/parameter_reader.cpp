@@ -11,6 +11,43 @@
 #include "ros/common/parameter_value.hpp"
 
 namespace lstm_planner {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+/// The numbers of a pose in order; nothing when the value is something else.
+std::optional<std::vector<double>> coordinatesOf(XmlRpcValue value) {
+  if (value.getType() != XmlRpcValue::TypeStruct) return asNumbers(value);
+  XmlRpcValue list;
+  int count = 0;
+  for (const char* name : {"x", "y", "yaw"}) {
+    if (value.hasMember(name)) list[count++] = value[name];
+  }
+  return value.hasMember("x") && value.hasMember("y") ? asNumbers(list) : std::nullopt;
+}
+
+/// Place `number` of the list `name`.
+NamedPose namedPoseFromParameter(XmlRpcValue value, const std::string& name, int number) {
+  const std::string place = std::to_string(number);
+  NamedPose named{place, poseFromParameter(value, "parameter " + name + "[" + place + "]")};
+  if (value.getType() == XmlRpcValue::TypeStruct && value.hasMember("name")) {
+    named.name = asText(value["name"]).value_or(place);
+  }
+  return named;
+}
+
+}  // namespace
+
+Pose2 poseFromParameter(const XmlRpcValue& value, const std::string& name) {
+  const std::vector<double> numbers = coordinatesOf(value).value_or(std::vector<double>());
+  if (numbers.size() == 2 || numbers.size() == 3) {
+    const Pose2 pose{numbers[0], numbers[1], numbers.size() == 3 ? numbers[2] : 0.0};
+    if (isFinite(pose)) return pose;
+  }
+  std::ostringstream text;
+  text << name << " is " << value << ", expected a pose: [x, y, yaw], \"x y yaw\" or {x: , y: , yaw: } in m and rad";
+  throw std::invalid_argument(text.str());
+}
 
 bool ParameterReader::isSet(const std::string& name) {
   know(name);
@@ -26,9 +63,16 @@ void ParameterReader::knowGroup(const std::string& name) {
   }
 }
 
+void ParameterReader::knowRobotFile() {
+  for (const char* group :
+       {"LstmGlobalPlanner", "SteeringController", "global_costmap", "local_costmap", "create2_stub"}) {
+    knowGroup(group);
+  }
+}
+
 template <typename T, typename Convert>
 void ParameterReader::readAs(const std::string& name, const char* type, const Convert& convert, T* value) {
-  XmlRpc::XmlRpcValue set;
+  XmlRpcValue set;
   if (!isSet(name) || !node_handle_.getParam(name, set)) return;
   const std::optional<T> converted = convert(set);
   if (!converted) {
@@ -62,13 +106,15 @@ void ParameterReader::read(const std::string& name, std::uint64_t* seed) {
 }
 
 void ParameterReader::read(const std::string& name, Pose2* pose) {
-  if (isSet(name)) readPose(node_handle_, name, pose);
+  XmlRpcValue value;
+  if (!isSet(name) || !node_handle_.getParam(name, value)) return;
+  *pose = poseFromParameter(value, "parameter " + node_handle_.resolveName(name));
 }
 
 void ParameterReader::read(const std::string& name, std::vector<NamedPose>* poses) {
   if (!isSet(name)) return;
-  XmlRpc::XmlRpcValue list;
-  if (!node_handle_.getParam(name, list) || list.getType() != XmlRpc::XmlRpcValue::TypeArray) {
+  XmlRpcValue list;
+  if (!node_handle_.getParam(name, list) || list.getType() != XmlRpcValue::TypeArray) {
     throw std::invalid_argument("parameter " + node_handle_.resolveName(name) + " is not a list");
   }
   poses->clear();

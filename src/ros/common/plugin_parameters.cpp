@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/ros/common/parameter_reader.hpp"
 
 namespace lstm_planner {
 
@@ -33,13 +34,6 @@ SteeringControllerParameters loadSteeringControllerParameters(const ros::NodeHan
 
   validate(parameters);
   return parameters;
-}
-
-void knowRobotFile(ParameterReader* reader) {
-  for (const char* group :
-       {"LstmGlobalPlanner", "SteeringController", "global_costmap", "local_costmap", "create2_stub"}) {
-    reader->knowGroup(group);
-  }
 }
 
 std::string resolvedPath(const std::string& path) {

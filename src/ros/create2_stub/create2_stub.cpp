@@ -328,7 +328,7 @@ bool Create2Stub::jumpOdometry(std_srvs::Trigger::Request&, std_srvs::Trigger::R
 Create2StubParameters loadCreate2StubParameters(const ros::NodeHandle& private_node) {
   ParameterReader reader(private_node);
   Create2StubParameters parameters;
-  readPose(private_node, "scenario/start", &parameters.start);
+  reader.read("scenario/start", &parameters.start);
   visitCreate2StubParameters(parameters, reader.visitor());
   visitCreate2StubParameters(std::as_const(parameters), RangeCheck{private_node.getNamespace() + "/"});
   validate(parameters.robot);

@@ -3,7 +3,6 @@
 
 #include "lstm_planner/common/parameter_visitors.hpp"
 #include "lstm_planner/ros/common/parameter_reader.hpp"
-#include "lstm_planner/ros/common/pose_parameter.hpp"
 #include "lstm_planner/ros/demo/demo_runner.hpp"
 #include "ros/common/parameter_value.hpp"
 
@@ -57,9 +56,7 @@ DemoParameters loadDemoParameters(const ros::NodeHandle& private_node) {
   reader.knowGroup("scenario");
   reader.warnOfUnknown();
 
-  if (!readPose(private_node, "start", &parameters.start)) {
-    readPose(private_node, "scenario/start", &parameters.start);
-  }
+  reader.read(reader.isSet("start") ? "start" : "scenario/start", &parameters.start);
   std::string frame = "map";
   reader.read("scenario/frame", &frame);
   if (frame != "map" && frame != "odom") {

@@ -15,10 +15,6 @@ constexpr const char* kOnlyOfTheRealMoveBase[] = {
     "make_plan_clear_costmap", "max_planning_retries", "recovery_behavior_enabled", "recovery_behaviors",
     "shutdown_costmaps"};
 
-// A robot's file (config/robots) is for the costmaps and the simulation, too.
-constexpr const char* kGroups[] = {"LstmGlobalPlanner", "SteeringController", "global_costmap", "local_costmap",
-                                   "create2_stub"};
-
 /// The part of a plugin's name after the package, which is the name of its namespace.
 std::string classOf(const std::string& plugin) { return plugin.substr(plugin.find_last_of("/:") + 1); }
 
@@ -33,7 +29,7 @@ StandaloneMoveBaseParameters loadStandaloneMoveBaseParameters(const ros::NodeHan
     reader.know(name);
     reader.knowGroup(name);
   }
-  for (const char* group : kGroups) reader.knowGroup(group);
+  reader.knowRobotFile();
   reader.knowGroup(classOf(parameters.base_global_planner));
   reader.knowGroup(classOf(parameters.base_local_planner));
   reader.warnOfUnknown();

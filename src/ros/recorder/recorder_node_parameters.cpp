@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "lstm_planner/common/parameter_visitors.hpp"
-#include "lstm_planner/ros/common/parameter_reader.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 
 namespace lstm_planner {
@@ -29,7 +28,7 @@ RecorderNodeParameters loadRecorderNodeParameters(const ros::NodeHandle& node_ha
   RecorderNodeParameters parameters;
   ParameterReader reader(node_handle);
   visitRecorderNodeParameters(parameters, reader.visitor());
-  knowRobotFile(&reader);
+  reader.knowRobotFile();
   reader.warnOfUnknown();
   readRobotFile(node_handle, &parameters);
 

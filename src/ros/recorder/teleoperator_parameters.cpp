@@ -3,8 +3,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lstm_planner/ros/common/parameter_reader.hpp"
-
 namespace lstm_planner {
 
 TeleoperatorParameters loadTeleoperatorParameters(const ros::NodeHandle& private_node) {

@@ -291,12 +291,8 @@ BagReplayParameters loadBagReplayParameters(const ros::NodeHandle& private_node)
   BagReplayParameters parameters;
   ParameterReader reader(private_node);
   visitBagReplayParameters(parameters, reader.visitor());
-  SensorMount mount;
-  reader.know("mount");
-  if (readPose(private_node, "mount", &mount.pose)) {
-    parameters.drive.mount = mount;
-  }
-  knowRobotFile(&reader);
+  if (reader.isSet("mount")) reader.read("mount", &parameters.drive.mount.emplace().pose);
+  reader.knowRobotFile();
   reader.warnOfUnknown();
   parameters.planner = loadGlobalPlannerParameters(ros::NodeHandle(private_node, "LstmGlobalPlanner"));
   if (parameters.bag.empty()) {

@@ -7,10 +7,20 @@
 #include <string>
 #include <vector>
 
+#include "lstm_planner/common/geometry.hpp"
 #include "lstm_planner/common/range.hpp"
-#include "lstm_planner/ros/common/pose_parameter.hpp"
 
 namespace lstm_planner {
+
+/// A place with a name, such as a waypoint of a list.
+struct NamedPose {
+  std::string name;
+  Pose2 pose;
+};
+
+/// A pose (m, m, rad) from a list [x, y, yaw], a string "x y yaw" or a struct {x: , y: , yaw: }; the yaw may be left
+/// out. Throws std::invalid_argument that calls the value by `name`.
+Pose2 poseFromParameter(const XmlRpc::XmlRpcValue& value, const std::string& name);
 
 /// Reads the parameters of one namespace into variables that hold their defaults.
 class ParameterReader {
@@ -31,11 +41,16 @@ class ParameterReader {
   void read(const std::string& name, std::vector<double>* value);
   void read(const std::string& name, std::uint64_t* seed);  ///< a whole number
   void read(const std::string& name, Pose2* pose);          ///< see poseFromParameter()
+  /// A list of poses; a struct may have a `name`, which else is its number.
   void read(const std::string& name, std::vector<NamedPose>* poses);
 
+  /// Like read(), it makes the name known.
+  bool isSet(const std::string& name);
   /// A parameter of the namespace that is read elsewhere: nobody is warned of it.
   void know(const std::string& name);
   void knowGroup(const std::string& name);  ///< all that are called NAME/...
+  /// A robot's file (config/robots) is for move_base, the controller and the simulation, too: their groups are known.
+  void knowRobotFile();
 
   /// Full names of parameters of the namespace that are set but were never read: misspelt ones.
   std::vector<std::string> unknownParameters() const;
@@ -44,7 +59,6 @@ class ParameterReader {
   void warnOfUnknown() const;  ///< those in the log
 
  private:
-  bool isSet(const std::string& name);
   template <typename T, typename Convert>
   void readAs(const std::string& name, const char* type, const Convert& convert, T* value);
 

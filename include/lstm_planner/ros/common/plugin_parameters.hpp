@@ -5,7 +5,6 @@
 #include <string>
 
 #include "lstm_planner/drive/plugin_parameters.hpp"
-#include "lstm_planner/ros/common/parameter_reader.hpp"
 
 namespace lstm_planner {
 
@@ -13,9 +12,6 @@ namespace lstm_planner {
 /// std::invalid_argument naming the parameter, its value and what was expected.
 GlobalPlannerParameters loadGlobalPlannerParameters(const ros::NodeHandle& node_handle);
 SteeringControllerParameters loadSteeringControllerParameters(const ros::NodeHandle& node_handle);
-
-/// A robot's file (config/robots) is for move_base, the controller and the simulation, too: their groups are known.
-void knowRobotFile(ParameterReader* reader);
 
 /// The file that a parameter names: package://NAME/PATH, ~/PATH, or a path, which is made absolute: roslaunch starts
 /// nodes in another folder than the user's, so messages are to name the whole path. Empty stays empty. Throws

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lstm_planner/dataset/recorder_parameters.hpp"
-#include "lstm_planner/ros/common/pose_parameter.hpp"
+#include "lstm_planner/ros/common/parameter_reader.hpp"
 
 namespace lstm_planner {
 

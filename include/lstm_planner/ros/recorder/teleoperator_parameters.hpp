@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lstm_planner/common/parameter_visitors.hpp"
-#include "lstm_planner/ros/common/pose_parameter.hpp"
+#include "lstm_planner/ros/common/parameter_reader.hpp"
 #include "lstm_planner/simulation/scripted_driver.hpp"
 
 namespace lstm_planner {
