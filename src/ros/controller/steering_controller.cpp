@@ -4,6 +4,7 @@
 #include <ros/node_handle.h>
 
 #include <pluginlib/class_list_macros.hpp>
+#include <stdexcept>
 
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "ros/common/costmap_footprint.hpp"
@@ -32,32 +33,28 @@ SteeringController::SteeringController() = default;
 SteeringController::~SteeringController() = default;
 
 void SteeringController::initialize(std::string name, tf2_ros::Buffer* tf, costmap_2d::Costmap2DROS* costmap_ros) {
-  std::unique_lock<std::mutex> lock(mutex_);
-  if (plan_follower_) {
-    ROS_WARN("%s is already initialised, the second call is ignored", name.c_str());
-    return;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (plan_follower_) {
+      ROS_WARN("%s is already initialised, the second call is ignored", name.c_str());
+      return;
+    }
+    guarded([&] { setUp(name, tf, costmap_ros); }, [&](const std::string& why) { refuse(name, why); });
   }
-  if (tf == nullptr || costmap_ros == nullptr) {
-    refuse(name, "it was initialised without tf or a costmap");
-    lock.unlock();
-    startDiagnostics(name);
-    return;
-  }
-  guarded([&] { setUp(name, *tf, costmap_ros); }, [&](const std::string& why) { refuse(name, why); });
-  lock.unlock();
   startDiagnostics(name);
 }
 
-void SteeringController::setUp(const std::string& name, tf2_ros::Buffer& tf, costmap_2d::Costmap2DROS* costmap_ros) {
+void SteeringController::setUp(const std::string& name, tf2_ros::Buffer* tf, costmap_2d::Costmap2DROS* costmap_ros) {
+  if (tf == nullptr || costmap_ros == nullptr) {
+    throw std::invalid_argument("it was initialised without tf or a costmap");
+  }
   SteeringControllerParameters parameters = loadSteeringControllerParameters(ros::NodeHandle("~/" + name));
-  const bool is_round = parameters.footprint.empty();
-  const Footprint footprint =
-      safeFootprint(*costmap_ros, footprintOf(parameters), name + (is_round ? "/footprint_radius" : "/footprint"));
-  parameters.footprint_radius = footprint.circumscribedRadius();
-  parameters.footprint = textOf(footprint);
-  plan_follower_ = std::make_unique<PlanFollower>(parameters, costmap_ros->getBaseFrameID(), tf, costmap_ros);
+  takeSafeFootprint(*costmap_ros, name + "/", &parameters);
+  plan_follower_ = std::make_unique<PlanFollower>(parameters, costmap_ros->getBaseFrameID(), *tf, costmap_ros);
   costmap_ = parameters.use_costmap ? costmap_ros : nullptr;
-  startReconfigure(name);
+  const auto visit = [](auto& visited, const auto& visitor) { visitSteeringControllerParameters(visited, visitor); };
+  reconfigure_ =
+      makeReconfigureServer(name, plan_follower_.get(), visit, changeableSteeringControllerParameters(), {}, &mutex_);
 }
 
 void SteeringController::refuse(const std::string& name, const std::string& reason) {
@@ -140,14 +137,6 @@ bool SteeringController::isGoalReached() {
                    ROS_WARN_THROTTLE(kLogPeriod, "it is not known whether the goal is reached: %s", why.c_str());
                    return false;
                  });
-}
-
-void SteeringController::startReconfigure(const std::string& name) {
-  const auto visit = [](auto& parameters, const auto& visitor) {
-    visitSteeringControllerParameters(parameters, visitor);
-  };
-  reconfigure_ =
-      makeReconfigureServer(name, plan_follower_.get(), visit, changeableSteeringControllerParameters(), {}, &mutex_);
 }
 
 void SteeringController::startDiagnostics(const std::string& name) {

@@ -59,9 +59,8 @@ class SteeringController : public nav_core::BaseLocalPlanner {
     ros::WallTime stopped_since;  ///< zero while it is not stopped
   };
 
-  void setUp(const std::string& name, tf2_ros::Buffer& tf, costmap_2d::Costmap2DROS* costmap_ros);
+  void setUp(const std::string& name, tf2_ros::Buffer* tf, costmap_2d::Costmap2DROS* costmap_ros);
   void refuse(const std::string& name, const std::string& reason);
-  void startReconfigure(const std::string& name);
   void startDiagnostics(const std::string& name);
   bool isAsked() const;
   void describeStop(diagnostic_updater::DiagnosticStatusWrapper* status) const;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <pluginlib/class_list_macros.hpp>
+#include <stdexcept>
 
 #include "lstm_planner/common/file_hash.hpp"
 #include "lstm_planner/drive/decision/decision_text.hpp"
@@ -33,29 +34,21 @@ LstmGlobalPlanner::LstmGlobalPlanner() = default;
 LstmGlobalPlanner::~LstmGlobalPlanner() = default;
 
 void LstmGlobalPlanner::initialize(std::string name, costmap_2d::Costmap2DROS* costmap_ros) {
-  std::unique_lock<std::mutex> lock(mutex_);
-  if (plan_maker_) {
-    ROS_WARN("%s is already initialised, the second call is ignored", name.c_str());
-    return;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (plan_maker_) {
+      ROS_WARN("%s is already initialised, the second call is ignored", name.c_str());
+      return;
+    }
+    guarded([&] { setUp(name, costmap_ros); }, [&](const std::string& why) { refuse(name, why); });
   }
-  if (costmap_ros == nullptr) {
-    refuse(name, "it was initialised without a costmap");
-    lock.unlock();
-    startDiagnostics(name);
-    return;
-  }
-  guarded([&] { setUp(name, costmap_ros); }, [&](const std::string& why) { refuse(name, why); });
-  lock.unlock();
   startDiagnostics(name);
 }
 
 void LstmGlobalPlanner::setUp(const std::string& name, costmap_2d::Costmap2DROS* costmap_ros) {
+  if (costmap_ros == nullptr) throw std::invalid_argument("it was initialised without a costmap");
   GlobalPlannerParameters parameters = loadGlobalPlannerParameters(ros::NodeHandle("~/" + name));
-  ShieldParameters& shield = parameters.agent.shield;
-  const std::string parameter = name + (shield.footprint.empty() ? "/shield/footprint_radius" : "/shield/footprint");
-  const Footprint footprint = safeFootprint(*costmap_ros, footprintOf(shield), parameter);
-  shield.footprint_radius = footprint.circumscribedRadius();
-  shield.footprint = textOf(footprint);
+  takeSafeFootprint(*costmap_ros, name + "/shield/", &parameters.agent.shield);
   parameters.agent = fittedToFootprint(parameters.agent);
   plan_maker_ = std::make_unique<PlanMaker>(name, parameters, costmap_ros->getGlobalFrameID(),
                                             costmap_ros->getBaseFrameID(), costmap_ros);
@@ -64,7 +57,9 @@ void LstmGlobalPlanner::setUp(const std::string& name, costmap_2d::Costmap2DROS*
   costmap_ = parameters.use_costmap ? costmap_ros : nullptr;
   ROS_INFO("%s plans in %s with the model %s", name.c_str(), costmap_ros->getGlobalFrameID().c_str(),
            has_model ? parameters.model.c_str() : model_.c_str());
-  startReconfigure(name);
+  const auto visit = [](auto& visited, const auto& visitor) { visitGlobalPlannerParameters(visited, visitor); };
+  reconfigure_ = makeReconfigureServer(name, plan_maker_.get(), visit, changeableGlobalPlannerParameters(),
+                                       {"network", "route"}, &mutex_);
 }
 
 void LstmGlobalPlanner::refuse(const std::string& name, const std::string& reason) {
@@ -105,12 +100,6 @@ void LstmGlobalPlanner::note(const std::string& refusal, const ros::WallTime& be
   answer_.time = ros::WallTime::now();
   answer_.duration = (answer_.time - begin).toSec();
   answer_.longest = std::max(answer_.longest, answer_.duration);
-}
-
-void LstmGlobalPlanner::startReconfigure(const std::string& name) {
-  const auto visit = [](auto& parameters, const auto& visitor) { visitGlobalPlannerParameters(parameters, visitor); };
-  reconfigure_ = makeReconfigureServer(name, plan_maker_.get(), visit, changeableGlobalPlannerParameters(),
-                                       {"network", "route"}, &mutex_);
 }
 
 void LstmGlobalPlanner::startDiagnostics(const std::string& name) {

@@ -59,7 +59,6 @@ class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner {
   void setUp(const std::string& name, costmap_2d::Costmap2DROS* costmap_ros);
   void refuse(const std::string& name, const std::string& reason);
   void note(const std::string& refusal, const ros::WallTime& begin);
-  void startReconfigure(const std::string& name);
   void startDiagnostics(const std::string& name);
   bool isAsked() const;
   void describeState(diagnostic_updater::DiagnosticStatusWrapper* status) const;
