@@ -54,6 +54,23 @@ Marker makeSectorMarker(const std_msgs::Header& header, const Pose2& pose, const
   return arcs;
 }
 
+void addArrow(const Pose2& pose, double angle, double length, double height, const std_msgs::ColorRGBA& color,
+              Marker* lines) {
+  constexpr double kHead = 0.4;       // of the length
+  constexpr double kHeadAngle = 2.7;  // rad from the arrow's direction
+  const double direction = pose.yaw + angle;
+  const Point2 tip = pointAlong(pose, direction, length);
+  const auto addLine = [&](const Point2& start, const Point2& end) {
+    for (const Point2& position : {start, end}) {
+      lines->points.push_back(makePoint(position, height));
+      lines->colors.push_back(color);
+    }
+  };
+  addLine({pose.x, pose.y}, tip);
+  addLine(tip, pointAlong(tip, direction + kHeadAngle, kHead * length));
+  addLine(tip, pointAlong(tip, direction - kHeadAngle, kHead * length));
+}
+
 void addGoalMarkers(const std_msgs::Header& header, const Pose2& goal, visualization_msgs::MarkerArray* markers) {
   Marker disc = makeMarker(header, "goal", 0, Marker::CYLINDER, makeColor(0.0, 0.7, 0.1));
   disc.pose.position = makePoint({goal.x, goal.y}, kSectorHeight);

@@ -18,20 +18,6 @@ std_msgs::ColorRGBA colorOf(int label, std::size_t labels) {
                    std::max(0.0, 1.0 - 2.0 * share));
 }
 
-/// In lines, since a marker of its own for each of some hundred arrows is too much for rviz.
-void addArrow(const Pose2& pose, double direction, const std_msgs::ColorRGBA& shade, Marker* lines) {
-  constexpr double kLength = 0.25;  // m
-  constexpr double kHead = 0.08;    // m
-  const Point2 tip = pointAlong(pose, direction, kLength);
-  const auto stroke = [&](const Point2& from) {
-    lines->points.push_back(makePoint(from, kArrowHeight));
-    lines->points.push_back(makePoint(tip, kArrowHeight));
-    lines->colors.insert(lines->colors.end(), 2, shade);
-  };
-  stroke({pose.x, pose.y});
-  for (const double side : {-0.75, 0.75}) stroke(pointAlong(tip, direction + side * M_PI, kHead));
-}
-
 }  // namespace
 
 RecorderMarkers::RecorderMarkers(ros::NodeHandle node_handle, const std::vector<double>& action_angles)
@@ -70,13 +56,14 @@ void RecorderMarkers::publish(const std::string& frame, const Situation& situati
 Marker RecorderMarkers::labelMarker(const std_msgs::Header& header,
                                     const RecordingProgress::EpisodeProgress& episode) const {
   constexpr std::size_t kMostArrows = 1000;
+  constexpr double kLength = 0.25;  // m
   Marker lines = makeMarker(header, "labels", 0, Marker::LINE_LIST, makeColor(0.0, 0.8, 0.0));
   lines.scale.x = 0.025;
   const std::size_t count = episode.poses.size();
   for (std::size_t i = count > kMostArrows ? count - kMostArrows : 0; i < count; ++i) {
     const int label = episode.labels[i];
     const double angle = action_angles_.at(static_cast<std::size_t>(label));
-    addArrow(episode.poses[i], episode.poses[i].yaw + angle, colorOf(label, action_angles_.size()), &lines);
+    addArrow(episode.poses[i], angle, kLength, kArrowHeight, colorOf(label, action_angles_.size()), &lines);
   }
   return lines;
 }

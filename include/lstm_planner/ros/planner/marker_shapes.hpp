@@ -43,6 +43,11 @@ visualization_msgs::Marker makeTraceMarker(const std_msgs::Header& header, const
   return line;
 }
 
+/// Adds an arrow of three lines to a LINE_LIST: a marker of its own for each of some hundred arrows is too much for
+/// rviz. `angle`: rad from the heading.
+void addArrow(const Pose2& pose, double angle, double length, double height, const std_msgs::ColorRGBA& color,
+              visualization_msgs::Marker* lines);
+
 /// Adds a green disc with an arrow for the heading, in the name space "goal".
 void addGoalMarkers(const std_msgs::Header& header, const Pose2& goal, visualization_msgs::MarkerArray* markers);
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <ros/node_handle.h>
 #include <ros/publisher.h>
 #include <visualization_msgs/MarkerArray.h>
 
@@ -12,47 +11,33 @@
 
 namespace lstm_planner {
 
-/// Shows in rviz, on `driver`, which way the driver went and where the planner would have gone elsewhere.
+/// Shows what the planner would do beside what somebody else does who drives, stamped as the scan that was decided
+/// about: the planner on ~LstmGlobalPlanner/markers and ~LstmGlobalPlanner/decision, the driver on `~driver`.
 ///
-/// Namespaces: path (blue), driven (blue: an arrow for the driver's angle at each step), planned (an arrow for the
-/// planner's, green where it is the same steering angle, red where it is not), agreement (how often it was so far).
-class DriverMarkers {
- public:
-  explicit DriverMarkers(ros::NodeHandle node_handle);
-
-  /// `frame`: the odometry's.
-  void add(const ReplayedDecision& replayed, const std::string& frame);
-
-  /// Forgets path and arrows, so that a long drive does not fill messages without end; they leave the screen when the
-  /// next step is shown. What was agreed on counts on.
-  void clear();
-
-  bool isListenedTo() const { return publisher_.getNumSubscribers() > 0; }
-
- private:
-  visualization_msgs::MarkerArray markers_;
-  long steps_ = 0;
-  long agreed_ = 0;
-  ros::Publisher publisher_;
-};
-
-/// Shows what the planner would do beside what somebody else does who drives, on ~LstmGlobalPlanner/markers,
-/// ~LstmGlobalPlanner/decision and ~driver (DriverMarkers), stamped as the scan that was decided about.
+/// Namespaces of `~driver`: path (blue), driven (blue: an arrow for the driver's angle at each step), planned (an arrow
+/// for the planner's, green where it is the same steering angle, red where it is not), agreement (how often it was so
+/// far).
 class DecisionDisplay {
  public:
   explicit DecisionDisplay(const PolicyDescription& description);
 
   /// `frame`: the odometry's.
   void showAdvice(const ReplayedDecision& replayed, const std::string& frame);
-  void showDriver(const ReplayedDecision& replayed, const std::string& frame) { driver_.add(replayed, frame); }
-  void clearPath() { driver_.clear(); }
+  void showDriver(const ReplayedDecision& replayed, const std::string& frame);
 
-  bool isListenedTo() const { return markers_.isListenedTo() || decisions_.isListenedTo() || driver_.isListenedTo(); }
+  /// Forgets the driver's path and all arrows, so that a long drive does not fill messages without end; they leave the
+  /// screen when the next step is shown. What was agreed on counts on.
+  void clearPath();
+
+  bool isListenedTo() const;
 
  private:
   MarkerPublisher markers_;
   DecisionPublisher decisions_;
-  DriverMarkers driver_;
+  visualization_msgs::MarkerArray driver_markers_;
+  long steps_ = 0;
+  long agreed_ = 0;
+  ros::Publisher driver_publisher_;
 };
 
 }  // namespace lstm_planner
