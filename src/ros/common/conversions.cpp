@@ -96,22 +96,6 @@ SensorMount mountFromMessage(const geometry_msgs::Transform& base_from_scanner) 
   return mount;
 }
 
-void compose(const Pose2& parent, const std::vector<Pose2>& children, std::vector<Pose2>* poses) {
-  const double c = std::cos(parent.yaw);
-  const double s = std::sin(parent.yaw);
-  poses->resize(children.size());
-  double child_yaw = std::numeric_limits<double>::quiet_NaN();
-  double yaw = child_yaw;
-  for (std::size_t i = 0; i < children.size(); ++i) {
-    const Pose2& child = children[i];
-    if (child.yaw != child_yaw) {
-      child_yaw = child.yaw;
-      yaw = normalizeAngle(parent.yaw + child_yaw);
-    }
-    (*poses)[i] = {parent.x + c * child.x - s * child.y, parent.y + s * child.x + c * child.y, yaw};
-  }
-}
-
 void toMessages(const std::vector<Pose2>& poses, const std_msgs::Header& header,
                 std::vector<geometry_msgs::PoseStamped>* messages) {
   messages->resize(poses.size());

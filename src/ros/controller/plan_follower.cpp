@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
+#include <utility>
 
 #include "lstm_planner/drive/collision/returns_inside.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
@@ -59,22 +60,20 @@ void PlanFollower::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) 
   if (plan.empty()) {
     return;
   }
-  new_plan_.clear();
-  const std::string& frame = plan.front().header.frame_id;
-  plan_frame_ = frameName(frame);
+  plan_frame_ = frameName(plan.front().header.frame_id);
+  std::vector<Pose2> poses;
   for (const geometry_msgs::PoseStamped& stamped : plan) {
     const Pose2 pose = fromMessage(stamped.pose);
-    const bool same_frame = stamped.header.frame_id == frame || frameName(stamped.header.frame_id) == plan_frame_;
-    if (plan_frame_.empty() || !same_frame) {
+    if (plan_frame_.empty() || frameName(stamped.header.frame_id) != plan_frame_) {
       throw std::invalid_argument("the plan has a pose in frame '" + stamped.header.frame_id + "', expected '" +
                                   plan_frame_ + "' as in its first pose, and not empty");
     }
     if (!isFinite(pose)) {
       throw std::invalid_argument("the plan has a pose that is not finite, or a zero quaternion");
     }
-    new_plan_.push_back(pose);
+    poses.push_back(pose);
   }
-  plan_.swap(new_plan_);
+  plan_ = std::move(poses);
   plan_time_ = ros::Time::now();
 }
 
@@ -82,12 +81,14 @@ MotionCommand PlanFollower::compute() {
   const ros::Time now = ros::Time::now();
   const SensorReading reading = sensors_.read(now);
   checkPlanAge(now);
-  compose(odometryFromPlan(reading.odometry_frame, now), plan_, &odometry_plan_);
+  const Pose2 odometry_from_plan = odometryFromPlan(reading.odometry_frame, now);
+  std::vector<Pose2> odometry_plan;
+  for (const Pose2& pose : plan_) odometry_plan.push_back(compose(odometry_from_plan, pose));
   perceive(reading, now);
   const double period = 1.0 / parameters_.controller_frequency;
   tracker_.expectReactionTime(reading.scan_period, period);
   speed_ = std::abs(reading.twist.linear);
-  return tracker_.compute(odometry_plan_, seen_, reading.twist, shield_, period);
+  return tracker_.compute(odometry_plan, seen_, reading.twist, shield_, period);
 }
 
 std::string PlanFollower::whatBlocks(const std::string& why) const {

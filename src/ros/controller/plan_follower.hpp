@@ -78,14 +78,12 @@ class PlanFollower {
 
   ros::Time plan_time_;  ///< when the plan was set
   std::string plan_frame_;
-  std::vector<Pose2> plan_;           ///< plan's frame
-  std::vector<Pose2> new_plan_;       ///< of setPlan(), until it is found good
-  std::vector<Pose2> odometry_plan_;  ///< of the current call
-  LaserScan scan_, second_scan_;      ///< of the current call
-  Situation seen_;                    ///< by the scans of the current call
-  std::vector<Point2> marked_;        ///< of the costmap, not of the scans; base frame, m
-  double speed_ = 0.0;                ///< m/s
-  long jumps_ = 0;                    ///< of the odometry, until the last call
+  std::vector<Pose2> plan_;       ///< plan's frame
+  LaserScan scan_, second_scan_;  ///< of the current call
+  Situation seen_;                ///< by the scans of the current call
+  std::vector<Point2> marked_;    ///< of the costmap, not of the scans; base frame, m
+  double speed_ = 0.0;            ///< m/s
+  long jumps_ = 0;                ///< of the odometry, until the last call
 };
 
 }  // namespace lstm_planner

@@ -46,8 +46,6 @@ class RobotInWorld {
   void step(double seconds);
 
   Create2& robot() { return robot_; }
-  const Create2& robot() const { return robot_; }
-  const World& world() const { return world_; }
   unsigned contacts() const { return contacts_; }
   /// True while something presses the left or right half of the bumper.
   bool pressed(bool left) const;

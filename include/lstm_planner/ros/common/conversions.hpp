@@ -43,10 +43,6 @@ geometry_msgs::TransformStamped mountToMessage(const SensorMount& mount, const s
 /// tilted by more than 15 degrees: such a scan does not show the floor plan.
 SensorMount mountFromMessage(const geometry_msgs::Transform& base_from_scanner);
 
-/// compose() of common/geometry.hpp for many poses, as in a plan; quick where neighbours have the same yaw.
-/// Overwrites `poses`, reusing its memory.
-void compose(const Pose2& parent, const std::vector<Pose2>& children, std::vector<Pose2>* poses);
-
 /// Many poses, as in a plan, all with that header; quick where neighbours have the same yaw. Overwrites `messages`,
 /// reusing its memory.
 void toMessages(const std::vector<Pose2>& poses, const std_msgs::Header& header,
