@@ -1,25 +1,20 @@
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "lstm_planner/common/output_file.hpp"
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/ros/demo/demo_runner.hpp"
 
 namespace lstm_planner {
 namespace {
 
-__attribute__((format(printf, 1, 2))) std::string format(const char* pattern, ...) {
-  char text[512];
-  va_list arguments;
-  va_start(arguments, pattern);
-  std::vsnprintf(text, sizeof(text), pattern, arguments);
-  va_end(arguments);
-  return text;
+std::string contactsText(unsigned contacts) {
+  return std::to_string(contacts) + (contacts == 1 ? " contact" : " contacts");
 }
 
-std::string contactsText(unsigned contacts) { return format("%u contact%s", contacts, contacts == 1 ? "" : "s"); }
+std::string drivenText(double time, double path) {
+  return fixedText(time, 1) + " s, path " + fixedText(path, 1) + " m";
+}
 
 bool hasRatio(const DemoLeg& leg) { return leg.reached && leg.shortest > 0.0 && std::isfinite(leg.shortest); }
 
@@ -59,12 +54,12 @@ nlohmann::json toJson(const DemoLeg& leg) {
 }  // namespace
 
 std::string describeLeg(const DemoLeg& leg) {
-  std::string line = format("goal %s (%.1f, %.1f): ", leg.name.c_str(), leg.goal.x, leg.goal.y);
+  std::string line = "goal " + leg.name + " (" + fixedText(leg.goal.x, 1) + ", " + fixedText(leg.goal.y, 1) + "): ";
   if (leg.reached) {
-    line += format("reached in %.1f s, path %.1f m", leg.time, leg.path);
-    if (hasRatio(leg)) line += format(" = %.2f x shortest", leg.path / leg.shortest);
+    line += "reached in " + drivenText(leg.time, leg.path);
+    if (hasRatio(leg)) line += " = " + fixedText(leg.path / leg.shortest, 2) + " x shortest";
   } else {
-    line += format("MISSED after %.1f s, path %.1f m, %.1f m away", leg.time, leg.path, leg.remaining);
+    line += "MISSED after " + drivenText(leg.time, leg.path) + ", " + fixedText(leg.remaining, 1) + " m away";
     if (!std::isfinite(leg.shortest)) line += ", no path on the map";
   }
   line += ", " + contactsText(leg.contacts);
@@ -74,9 +69,9 @@ std::string describeLeg(const DemoLeg& leg) {
 
 std::string describeDemo(const std::vector<DemoLeg>& legs, std::size_t planned) {
   const Totals totals = totalsOf(legs);
-  std::string line =
-      format("%zu of %zu goals reached in %.1f s, path %.1f m", totals.reached, planned, totals.time, totals.path);
-  if (totals.mean_ratio > 0.0) line += format(" = %.2f x shortest on average", totals.mean_ratio);
+  std::string line = std::to_string(totals.reached) + " of " + std::to_string(planned) + " goals reached in " +
+                     drivenText(totals.time, totals.path);
+  if (totals.mean_ratio > 0.0) line += " = " + fixedText(totals.mean_ratio, 2) + " x shortest on average";
   return line + ", " + contactsText(totals.contacts);
 }
 

@@ -20,6 +20,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "lstm_planner/common/geometry.hpp"
 #include "lstm_planner/drive/decision/arrival.hpp"
 #include "lstm_planner/ros/common/transform_listener.hpp"
 #include "lstm_planner/ros/move_base/standalone_move_base_parameters.hpp"
@@ -79,10 +80,6 @@ std::string withUnit(double value, const char* unit) {
   std::ostringstream text;
   text << value << ' ' << unit;
   return text.str();
-}
-
-double distanceBetweenPoses(const geometry_msgs::PoseStamped& a, const geometry_msgs::PoseStamped& b) {
-  return std::hypot(b.pose.position.x - a.pose.position.x, b.pose.position.y - a.pose.position.y);
 }
 
 // A service call must not keep the spinning thread, which receives the scan, for long: few neighbours are tried.
@@ -313,7 +310,7 @@ bool StandaloneMoveBase::recoverController() {
 
 bool StandaloneMoveBase::isOscillating(const geometry_msgs::PoseStamped& robot) {
   if (parameters_.oscillation_timeout <= 0.0) return false;
-  if (distanceBetweenPoses(progress_pose_, robot) >= parameters_.oscillation_distance) {
+  if (distanceBetween(progress_pose_.pose.position, robot.pose.position) >= parameters_.oscillation_distance) {
     progress_pose_ = robot;
     last_progress_.restart();
   }
@@ -331,9 +328,10 @@ void StandaloneMoveBase::succeed() {
 /// A plan that ends beside the goal is one to a goal in or behind an obstacle.
 std::string StandaloneMoveBase::arrivalText() const {
   geometry_msgs::PoseStamped robot;
-  const bool is_beside = distanceBetweenPoses(plan_end_, goal_) > AgentParameters().goal_tolerance;
+  const bool is_beside =
+      distanceBetween(plan_end_.pose.position, goal_.pose.position) > AgentParameters().goal_tolerance;
   if (!is_beside || !plugins_.robotPose(robot)) return "Goal reached.";
-  return "Goal reached: " + besideGoalText(distanceBetweenPoses(robot, goal_)) + ".";
+  return "Goal reached: " + besideGoalText(distanceBetween(robot.pose.position, goal_.pose.position)) + ".";
 }
 
 void StandaloneMoveBase::abort(const std::string& text) {
