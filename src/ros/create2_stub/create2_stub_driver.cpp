@@ -149,11 +149,7 @@ void Create2StubDriver::readEncoders(double seconds_since_last) {
 Pose2 Create2StubDriver::odometry() const { return compose(odometry_offset_, robot_->robot().odometry()); }
 
 void Create2StubDriver::jumpOdometry(const Pose2& jump) {
-  const Pose2 wanted = compose(odometry(), jump);
-  const Pose2& counted = robot_->robot().odometry();
-  const double yaw = wanted.yaw - counted.yaw;
-  const Point2 turned = toParentFrame(Pose2{0.0, 0.0, yaw}, Point2{counted.x, counted.y});
-  odometry_offset_ = {wanted.x - turned.x, wanted.y - turned.y, yaw};
+  odometry_offset_ = compose(compose(odometry(), jump), inverse(robot_->robot().odometry()));
 }
 
 void Create2StubDriver::publishOdometry() {
