@@ -29,14 +29,15 @@ double inscribedRadius(const std::vector<geometry_msgs::Point>& footprint) {
 
 }  // namespace
 
-CostmapLock::CostmapLock(costmap_2d::Costmap2DROS* costmap) {
-  if (costmap != nullptr) lock_ = std::unique_lock<costmap_2d::Costmap2D::mutex_t>(*costmap->getCostmap()->getMutex());
+std::unique_lock<costmap_2d::Costmap2D::mutex_t> lockOf(costmap_2d::Costmap2DROS* costmap) {
+  using Lock = std::unique_lock<costmap_2d::Costmap2D::mutex_t>;
+  return costmap == nullptr ? Lock() : Lock(*costmap->getCostmap()->getMutex());
 }
 
 std::string CostmapReader::frame() const { return frameName(costmap_->getGlobalFrameID()); }
 
 const std::vector<Point2>& CostmapReader::read(const Pose2& base, const std::vector<Point2>& returns) {
-  const CostmapLock lock(costmap_);
+  const auto lock = lockOf(costmap_);
   const costmap_2d::Costmap2D& costmap = *costmap_->getCostmap();
   CostGrid grid;
   grid.costs = costmap.getCharMap();

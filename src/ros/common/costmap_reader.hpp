@@ -10,15 +10,9 @@
 
 namespace lstm_planner {
 
-/// Holds the mutex of a costmap, which may be null. Whoever holds the mutex of a plugin and wants this one, too, must
-/// have taken this one first, as move_base does.
-class CostmapLock {
- public:
-  explicit CostmapLock(costmap_2d::Costmap2DROS* costmap);
-
- private:
-  std::unique_lock<costmap_2d::Costmap2D::mutex_t> lock_;
-};
+/// Locks a costmap, which may be null. Whoever holds the mutex of a plugin and wants this one, too, must have taken
+/// this one first, as move_base does.
+std::unique_lock<costmap_2d::Costmap2D::mutex_t> lockOf(costmap_2d::Costmap2DROS* costmap);
 
 /// Reads the obstacles that one of move_base's costmaps has and a scan does not show (CostmapObstacles). Keeps nothing:
 /// what is cleared in the costmap is gone.

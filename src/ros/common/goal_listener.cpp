@@ -36,9 +36,7 @@ bool GoalListener::takeSuccess() {
 
 std::optional<GoalInFrame> GoalListener::takeAnnouncement() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  std::optional<GoalInFrame> announcement;
-  announcement.swap(announcement_);
-  return announcement;
+  return std::exchange(announcement_, std::nullopt);
 }
 
 GoalInFrame goalFromMessage(const geometry_msgs::PoseStamped& message) {

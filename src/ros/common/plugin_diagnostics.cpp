@@ -2,7 +2,6 @@
 
 #include <ros/console.h>
 
-#include <algorithm>
 #include <chrono>
 #include <exception>
 
@@ -35,14 +34,6 @@ void describe(const SensorHealth& sensor, const std::string& timeout_parameter,
   status->add("age (s)", sensor.age);
   status->add("rate (Hz)", sensor.period > 0.0 ? 1.0 / sensor.period : 0.0);
   status->add("oldest that is used (s)", sensor.timeout);
-}
-
-bool isSame(const diagnostic_msgs::DiagnosticStatus& a, const diagnostic_msgs::DiagnosticStatus& b) {
-  const auto is_same_value = [](const diagnostic_msgs::KeyValue& one, const diagnostic_msgs::KeyValue& other) {
-    return one.key == other.key && one.value == other.value;
-  };
-  return a.level == b.level && a.message == b.message &&
-         std::equal(a.values.begin(), a.values.end(), b.values.begin(), b.values.end(), is_same_value);
 }
 
 }  // namespace
@@ -114,7 +105,7 @@ void PluginDiagnostics::tell() {
   Status state;
   state.name = name_;
   state_(state);
-  if (!isSame(state, published_)) {
+  if (state != published_) {
     published_ = state;
     status_publisher_.publish(published_);
   }

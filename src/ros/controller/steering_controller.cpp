@@ -81,7 +81,7 @@ bool SteeringController::setPlan(const std::vector<geometry_msgs::PoseStamped>& 
 
 bool SteeringController::computeVelocityCommands(geometry_msgs::Twist& cmd_vel) {
   cmd_vel = geometry_msgs::Twist();
-  const CostmapLock costmap_lock(costmap_);
+  const auto costmap_lock = lockOf(costmap_);
   const std::lock_guard<std::mutex> lock(mutex_);
   answer_.time = ros::WallTime::now();
   if (!plan_follower_) {

@@ -70,7 +70,7 @@ void LstmGlobalPlanner::refuse(const std::string& name, const std::string& reaso
 bool LstmGlobalPlanner::makePlan(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal,
                                  std::vector<geometry_msgs::PoseStamped>& plan) {
   plan.clear();
-  const CostmapLock costmap_lock(costmap_);
+  const auto costmap_lock = lockOf(costmap_);
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!plan_maker_) {
     ROS_ERROR_THROTTLE(kLogPeriod, "no plan: the planner cannot be used: %s", why_unusable_.c_str());
