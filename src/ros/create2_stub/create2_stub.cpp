@@ -323,8 +323,8 @@ bool Create2Stub::jumpOdometry(std_srvs::Trigger::Request&, std_srvs::Trigger::R
   return true;
 }
 
-}  // namespace
-
+/// Reads all parameters from the node's private namespace; what is not set keeps its default. Throws
+/// std::invalid_argument naming the parameter, its value and what was expected.
 Create2StubParameters loadCreate2StubParameters(const ros::NodeHandle& private_node) {
   ParameterReader reader(private_node);
   Create2StubParameters parameters;
@@ -342,6 +342,8 @@ Create2StubParameters loadCreate2StubParameters(const ros::NodeHandle& private_n
   reader.warnOfUnknown();
   return parameters;
 }
+
+}  // namespace
 
 }  // namespace lstm_planner
 

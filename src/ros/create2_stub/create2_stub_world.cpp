@@ -2,6 +2,8 @@
 
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "lstm_planner/common/csv_file.hpp"
 #include "lstm_planner/grid/map_server_map.hpp"
@@ -14,8 +16,9 @@ constexpr double kContactEnds = 0.01;    // m of air after which touching again 
 constexpr double kBumperTravel = 0.005;  // m
 constexpr double kBumperBearing = 0.7;   // rad, middle of each half of the bumper
 
-}  // namespace
-
+/// Circles from a csv file whose first line names the columns: x, y (m), optionally radius (m; else `default_radius`)
+/// and world (only the lines of that `world` count). Throws std::invalid_argument naming the file, the line and what
+/// was expected.
 std::vector<Circle> readCircles(const std::string& path, double default_radius, int world) {
   enum Column { kX, kY, kRadius, kWorld };
   const CsvFile file(path, {"x", "y"}, {"radius", "world"});
@@ -31,6 +34,8 @@ std::vector<Circle> readCircles(const std::string& path, double default_radius, 
   }
   return circles;
 }
+
+}  // namespace
 
 std::unique_ptr<World> makeWorld(const Create2StubParameters& parameters) {
   if (parameters.map.empty() == parameters.circles.empty()) {

@@ -3,8 +3,6 @@
 #include <cstddef>
 #include <map>
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "lstm_planner/grid/occupancy_grid.hpp"
 #include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
@@ -12,11 +10,6 @@
 #include "lstm_planner/simulation/world.hpp"
 
 namespace lstm_planner {
-
-/// Circles from a csv file whose first line names the columns: x, y (m), optionally radius (m; else `default_radius`)
-/// and world (only the lines of that `world` count). Throws std::invalid_argument naming the file, the line and what
-/// was expected.
-std::vector<Circle> readCircles(const std::string& path, double default_radius, int world);
 
 /// The world that the parameters name. Throws std::invalid_argument when they name none or two, when its file cannot be
 /// read, or when the robot would touch something at the start pose.

@@ -19,9 +19,12 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "lstm_planner/common/geometry.hpp"
+#include "lstm_planner/common/parameter_visitors.hpp"
 #include "lstm_planner/drive/decision/arrival.hpp"
+#include "lstm_planner/ros/common/parameter_reader.hpp"
 #include "lstm_planner/ros/common/transform_listener.hpp"
 #include "lstm_planner/ros/move_base/standalone_move_base_parameters.hpp"
 #include "ros/common/clock_watch.hpp"
@@ -85,6 +88,35 @@ std::string withUnit(double value, const char* unit) {
 // A service call must not keep the spinning thread, which receives the scan, for long: few neighbours are tried.
 constexpr int kRings = 3;
 constexpr int kNeighboursPerRing = 8;
+
+// Parameters of the real move_base that are of no use without a costmap and recovery behaviours; config/move_base.yaml
+// sets some of them. Nobody is warned of them.
+constexpr const char* kOnlyOfTheRealMoveBase[] = {
+    "aggressive_reset",        "clearing_radius",      "clearing_rotation_allowed", "conservative_reset",
+    "conservative_reset_dist", "circumscribed_radius", "inscribed_radius",          "make_plan_add_unreachable_goal",
+    "make_plan_clear_costmap", "max_planning_retries", "recovery_behavior_enabled", "recovery_behaviors",
+    "shutdown_costmaps"};
+
+/// The part of a plugin's name after the package, which is the name of its namespace.
+std::string classOf(const std::string& plugin) { return plugin.substr(plugin.find_last_of("/:") + 1); }
+
+/// Reads the node's private namespace; leaves what is not set at its default. Throws std::invalid_argument naming the
+/// parameter, its value and what was expected.
+StandaloneMoveBaseParameters loadStandaloneMoveBaseParameters(const ros::NodeHandle& private_node) {
+  StandaloneMoveBaseParameters parameters;
+  ParameterReader reader(private_node);
+  visitStandaloneMoveBaseParameters(parameters, reader.visitor());
+  visitStandaloneMoveBaseParameters(std::as_const(parameters), RangeCheck{private_node.getNamespace() + "/"});
+  for (const char* name : kOnlyOfTheRealMoveBase) {
+    reader.know(name);
+    reader.knowGroup(name);
+  }
+  reader.knowRobotFile();
+  reader.knowGroup(classOf(parameters.base_global_planner));
+  reader.knowGroup(classOf(parameters.base_local_planner));
+  reader.warnOfUnknown();
+  return parameters;
+}
 
 /// Hosts a global planner and a controller plugin behind move_base's public ROS interface, for ROS distributions
 /// without the navigation stack. What it does with the two plugins is what move_base does: the planner runs in a thread

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <ros/node_handle.h>
-
 #include <cstdint>
 #include <string>
 
@@ -106,9 +104,5 @@ void visitCreate2StubParameters(Parameters& stub, const Visitor& visit) {
   visit("command_patience", stub.command_patience, {0.0, 60.0}, "s",
         "longest wait for the controller, in the computer's time");
 }
-
-/// Reads all parameters from the node's private namespace; what is not set keeps its default. Throws
-/// std::invalid_argument naming the parameter, its value and what was expected.
-Create2StubParameters loadCreate2StubParameters(const ros::NodeHandle& private_node);
 
 }  // namespace lstm_planner

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <ros/node_handle.h>
-
 #include <string>
-
-#include "lstm_planner/common/parameter_visitors.hpp"
 
 namespace lstm_planner {
 
@@ -38,9 +34,5 @@ void visitStandaloneMoveBaseParameters(Parameters& node, const Visitor& visit) {
         "the goal is given up if the robot stays within oscillation_distance for this time; 0: never");
   visit("oscillation_distance", node.oscillation_distance, {0.001, 1000.0}, "m", "see oscillation_timeout");
 }
-
-/// Reads the node's private namespace; leaves what is not set at its default. Throws std::invalid_argument naming the
-/// parameter, its value and what was expected.
-StandaloneMoveBaseParameters loadStandaloneMoveBaseParameters(const ros::NodeHandle& private_node);
 
 }  // namespace lstm_planner
