@@ -195,8 +195,7 @@ class BadDayTest : public testing::Test {
     const Pose2 here = relay().pose();
     const bool first = distanceBetween(here, kGoals[0]) > distanceBetween(here, kGoals[1]);
     move_base_msgs::MoveBaseGoal goal;
-    goal.target_pose.header.frame_id = "map";
-    goal.target_pose.pose = toMessage(kGoals[first ? 0 : 1]);
+    goal.target_pose = toMessage(kGoals[first ? 0 : 1], "map");
     client_.sendGoal(goal);
     ASSERT_TRUE(eventually([] { return relay().speed() > 0.15; }));
   }

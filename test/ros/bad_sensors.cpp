@@ -60,7 +60,6 @@ class BadSensorTest : public PlannerTest {
   std::unique_ptr<LstmGlobalPlanner> planner_;
   SteeringController controller_;
   geometry_msgs::Twist velocity_;
-  LogListener log_;
 };
 
 struct ScanLie {
@@ -215,12 +214,7 @@ TEST_F(BadSensorTest, AScanWhoseLastAngleDoesNotFitIsUsedAndSaid) {
 
 /// A transform between odometry and the plan's frame.
 geometry_msgs::TransformStamped localisation(const ros::Time& stamp) {
-  geometry_msgs::TransformStamped transform;
-  transform.header.frame_id = "odom";
-  transform.header.stamp = stamp;
-  transform.child_frame_id = "world";
-  transform.transform.rotation.w = 1.0;
-  return transform;
+  return toMessage(Pose2{}, "odom", "world", stamp);
 }
 
 TEST_F(BadSensorTest, RefusesTransformsThatAreMissingOldOrOfTheFuture) {

@@ -63,10 +63,7 @@ TEST_F(ClosedLoopTest, TakesAGoalFromRvizsTopic) {
   ros::Publisher goals = node_handle.advertise<geometry_msgs::PoseStamped>("move_base_simple/goal", 1);
   ASSERT_TRUE(eventually([&] { return goals.getNumSubscribers() > 0; }));
   const Pose2 before = pose();
-  geometry_msgs::PoseStamped goal;
-  goal.header.frame_id = "map";
-  goal.pose = toMessage(distanceBetween(before, kNear) > 0.5 ? kNear : kBehindTheBox);
-  goals.publish(goal);
+  goals.publish(toMessage(distanceBetween(before, kNear) > 0.5 ? kNear : kBehindTheBox, "map"));
   EXPECT_TRUE(eventuallyDrives());
   EXPECT_TRUE(eventually([&] { return distanceBetween(before, pose()) > 0.2; }));
 }
@@ -75,8 +72,7 @@ TEST_F(ClosedLoopTest, MakePlanAnswersWithoutDriving) {
   secondsUntilStill();
   const Pose2 before = pose();
   nav_msgs::GetPlan service;
-  service.request.goal.header.frame_id = "map";
-  service.request.goal.pose = toMessage({before.x + 3.0, before.y + 4.0, 0.0});
+  service.request.goal = toMessage({before.x + 3.0, before.y + 4.0, 0.0}, "map");
   // It is not served before the goal of the test before is over.
   ASSERT_TRUE(eventually([&] { return ros::service::call("move_base/make_plan", service); }));
   const auto& poses = service.response.plan.poses;

@@ -64,11 +64,7 @@ class DriveMessagesTest : public testing::Test {
   }
 
   geometry_msgs::PoseStamped goal(double x, const std::string& frame = "odom") const {
-    geometry_msgs::PoseStamped message;
-    message.header.stamp = now_;
-    message.header.frame_id = frame;
-    message.pose = toMessage({x, 0.0, 0.0});
-    return message;
+    return toMessage({x, 0.0, 0.0}, frame, now_);
   }
 
   /// At 0.2 m/s, ten times a second.

@@ -77,10 +77,7 @@ class DriveAdvice : public testing::Test {
 
 TEST_F(DriveAdvice, SaysAtEveryStepWhatThePlannerWouldDoAndHowOftenTheDriverDidTheSame) {
   ASSERT_TRUE(eventually([&] { return goals_.getNumSubscribers() == 2 && decisions_.getNumPublishers() > 0; }));
-  geometry_msgs::PoseStamped goal;
-  goal.header.frame_id = "map";
-  goal.pose = toMessage({2.0, 8.25, 0.0});
-  goals_.publish(goal);
+  goals_.publish(toMessage({2.0, 8.25, 0.0}, "map"));
   // 6 m at 0.3 m/s are 40 steps of half a second.
   const auto driven = [&] { return value("decisions") >= 20.0; };
   ASSERT_TRUE(eventually(driven) || eventually(driven));

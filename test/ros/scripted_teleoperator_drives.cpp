@@ -53,11 +53,7 @@ class ScriptedTeleoperator : public ::testing::Test {
   }
 
   static geometry_msgs::PoseStamped goalAt(const std::string& frame, const Point2& place) {
-    geometry_msgs::PoseStamped goal;
-    goal.header.frame_id = frame;
-    goal.header.stamp = ros::Time::now();
-    goal.pose = toMessage({place.x, place.y, 0.0});
-    return goal;
+    return toMessage({place.x, place.y, 0.0}, frame, ros::Time::now());
   }
 
   ros::NodeHandle node_;

@@ -48,10 +48,7 @@ class SilentScannerTest : public testing::Test {
     };
     robot_.enter(world, {}, 1);
     host_ = std::make_unique<PluginHost>([this] { robot_.step({}); });
-    geometry_msgs::PoseStamped goal;
-    goal.header.frame_id = "odom";
-    goal.pose = toMessage(kGoal);
-    host_->drive(goal);
+    host_->drive(toMessage(kGoal, "odom"));
   }
   void TearDown() override {
     for (const char* plugin : {"LstmGlobalPlanner", "SteeringController"}) {

@@ -145,10 +145,7 @@ class Soak : public testing::Test {
       place = grid.centerOf({static_cast<int>(uniformIndex(random_, static_cast<std::size_t>(grid.columns()))),
                              static_cast<int>(uniformIndex(random_, static_cast<std::size_t>(grid.rows())))});
     }
-    geometry_msgs::PoseStamped goal;
-    goal.header.frame_id = "map";
-    goal.header.stamp = ros::Time::now();
-    goal.pose = toMessage({place.x, place.y, 0.0});
+    const geometry_msgs::PoseStamped goal = toMessage({place.x, place.y, 0.0}, "map", ros::Time::now());
     const auto action = boost::make_shared<move_base_msgs::MoveBaseActionGoal>();
     action->header.stamp = ros::Time::now();
     action->goal_id.id = std::to_string(++goal_number_);
@@ -190,10 +187,7 @@ class Soak : public testing::Test {
   void maybeAskAQuestion() {
     constexpr double kMeanPause = 60.0;  // s
     if (uniform(random_) >= FaultyRobot::kPeriod / kMeanPause) return;
-    geometry_msgs::PoseStamped elsewhere;
-    elsewhere.header.frame_id = "map";
-    elsewhere.pose = toMessage({uniform(random_, -20.0, 20.0), uniform(random_, -20.0, 20.0), 0.0});
-    host_->makePlan(elsewhere);
+    host_->makePlan(toMessage({uniform(random_, -20.0, 20.0), uniform(random_, -20.0, 20.0), 0.0}, "map"));
   }
 
   void noteContact(bool blind, const std::string& where) {

@@ -35,12 +35,7 @@ double meanSpeed(const std::function<void(nav_msgs::Odometry*)>& alter) {
   PluginHost host([&] { robot.step({}); });
   const Pose2 corners[] = {{3.0, 0.0, 0.0}, {3.0, -3.0, 0.0}, {-20.0, -3.0, 0.0}};
   std::size_t corner = 0;
-  const auto drive = [&] {
-    geometry_msgs::PoseStamped goal;
-    goal.header.frame_id = "odom";
-    goal.pose = toMessage(corners[corner++]);
-    host.drive(goal);
-  };
+  const auto drive = [&] { host.drive(toMessage(corners[corner++], "odom")); };
   drive();
   const double begin = robot.robot().time();
   while (robot.robot().time() < begin + kDrive) {

@@ -53,6 +53,14 @@ geometry_msgs::Pose toMessage(const Pose2& pose) {
   return message;
 }
 
+geometry_msgs::PoseStamped toMessage(const Pose2& pose, const std::string& frame, const ros::Time& stamp) {
+  geometry_msgs::PoseStamped message;
+  message.header.frame_id = frame;
+  message.header.stamp = stamp;
+  message.pose = toMessage(pose);
+  return message;
+}
+
 geometry_msgs::TransformStamped toMessage(const Pose2& pose, const std::string& parent, const std::string& child,
                                           const ros::Time& stamp) {
   geometry_msgs::TransformStamped message;

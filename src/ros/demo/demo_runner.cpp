@@ -305,10 +305,9 @@ std::string DemoRunner::followGoal(const DemoParameters::Goal& goal) {
 
 move_base_msgs::MoveBaseGoal DemoRunner::message(const Pose2& goal) const {
   const Point2 position = toLocalFrame(parameters_.start, Point2{goal.x, goal.y});
+  const Pose2 pose{position.x, position.y, normalizeAngle(goal.yaw - parameters_.start.yaw)};
   move_base_msgs::MoveBaseGoal message;
-  message.target_pose.header.frame_id = parameters_.odom_frame;
-  message.target_pose.header.stamp = stamp_;
-  message.target_pose.pose = toMessage({position.x, position.y, normalizeAngle(goal.yaw - parameters_.start.yaw)});
+  message.target_pose = toMessage(pose, parameters_.odom_frame, stamp_);
   return message;
 }
 

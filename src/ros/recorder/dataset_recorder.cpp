@@ -263,10 +263,7 @@ void DatasetRecorder::pickGoal() {
   if (!goal_stamp_.isZero() && since_goal <= parameters_.recorder.delay + kLongestDelay) return;
 
   const NamedPose& waypoint = waypoints_.next();
-  geometry_msgs::PoseStamped goal;
-  goal.header.frame_id = parameters_.waypoint_frame;
-  goal.header.stamp = goalHeardNow();
-  goal.pose = toMessage(waypoint.pose);
+  const geometry_msgs::PoseStamped goal = toMessage(waypoint.pose, parameters_.waypoint_frame, goalHeardNow());
   goal_publisher_.publish(goal);
   messages_.hearGoal(goal, "waypoints", goal.header.stamp);
   ROS_INFO("the next goal is %s at (%.2f, %.2f)", waypoint.name.c_str(), waypoint.pose.x, waypoint.pose.y);

@@ -129,10 +129,7 @@ void ScriptedTeleoperator::onTruth(const nav_msgs::Odometry::ConstPtr& message) 
 
 void ScriptedTeleoperator::chooseWaypoint() {
   const Pose2& place = parameters_.waypoints[next_waypoint_++ % parameters_.waypoints.size()].pose;
-  goal_.emplace();
-  goal_->header.frame_id = parameters_.map_frame;
-  goal_->header.stamp = ros::Time::now();
-  goal_->pose = toMessage({place.x, place.y, 0.0});
+  goal_ = toMessage({place.x, place.y, 0.0}, parameters_.map_frame, ros::Time::now());
   driven_to_.reset();
   goal_publisher_.publish(*goal_);
 }

@@ -33,13 +33,7 @@ constexpr char kBase[] = "base_footprint";
 constexpr char kLaser[] = "laser";
 constexpr std::size_t kEvery = 5;  // scans a plan: two plans a second
 
-geometry_msgs::PoseStamped stamped(const Pose2& pose) {
-  geometry_msgs::PoseStamped message;
-  message.header.frame_id = kMap;
-  message.header.stamp = ros::Time::now();
-  message.pose = toMessage(pose);
-  return message;
-}
+geometry_msgs::PoseStamped stamped(const Pose2& pose) { return toMessage(pose, kMap, ros::Time::now()); }
 
 /// A line of /proc/self/status, MB.
 double memoryStatus(const std::string& key) {

@@ -31,6 +31,9 @@ Pose2 fromMessage(const geometry_msgs::Transform& message);
 /// With a unit quaternion.
 geometry_msgs::Pose toMessage(const Pose2& pose);
 
+/// In a frame, as a goal is.
+geometry_msgs::PoseStamped toMessage(const Pose2& pose, const std::string& frame, const ros::Time& stamp = {});
+
 /// Where the frame `child` lies in the frame `parent`.
 geometry_msgs::TransformStamped toMessage(const Pose2& pose, const std::string& parent, const std::string& child,
                                           const ros::Time& stamp = {});
