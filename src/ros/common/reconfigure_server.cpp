@@ -53,7 +53,7 @@ void addGroup(Config* config) {
   config->groups.push_back(group);
 }
 
-Config toMessage(const std::vector<ParameterRow>& rows) {
+Config toMessage(const ParameterRows& rows) {
   Config config;
   for (const ParameterRow& row : rows) add(row.name, row.value, &config);
   addGroup(&config);
@@ -78,7 +78,7 @@ Value limitOf(const ParameterRow& row, bool most) {
   return std::visit(choose, row.value);
 }
 
-Config limitsOf(const std::vector<ParameterRow>& rows, bool most) {
+Config limitsOf(const ParameterRows& rows, bool most) {
   Config config;
   for (const ParameterRow& row : rows) add(row.name, limitOf(row, most), &config);
   addGroup(&config);
@@ -105,17 +105,15 @@ std::vector<std::pair<std::string, Value>> valuesOf(const Config& config) {
   return values;
 }
 
-}  // namespace
-
-class ReconfigureServer::Implementation {
+class ReconfigureServer {
  public:
-  Implementation(const std::string& name, const Description& description, std::mutex* mutex, const Change& change)
-      : node_(ros::NodeHandle("~/" + name)), description_(description), mutex_(*mutex), change_(change) {
+  ReconfigureServer(const std::string& name, const Reconfiguration& reconfiguration, std::mutex* mutex)
+      : node_(ros::NodeHandle("~/" + name)), reconfiguration_(reconfiguration), mutex_(*mutex) {
     descriptions_ = node_.advertise<ConfigDescription>("parameter_descriptions", 1, true);
     updates_ = node_.advertise<Config>("parameter_updates", 1, true);
     descriptions_.publish(describe());
-    updates_.publish(toMessage(description_.rows));
-    service_ = node_.advertiseService("set_parameters", &Implementation::onRequest, this);
+    updates_.publish(toMessage(reconfiguration_.rows));
+    service_ = node_.advertiseService("set_parameters", &ReconfigureServer::onRequest, this);
   }
 
  private:
@@ -123,7 +121,7 @@ class ReconfigureServer::Implementation {
   using Response = dynamic_reconfigure::Reconfigure::Response;
 
   bool isChangeable(const std::string& name) const {
-    const auto& names = description_.changeable;
+    const auto& names = reconfiguration_.changeable;
     return std::find(names.begin(), names.end(), name) != names.end();
   }
 
@@ -131,45 +129,45 @@ class ReconfigureServer::Implementation {
     ConfigDescription message;
     dynamic_reconfigure::Group group;
     group.name = "Default";
-    for (const ParameterRow& row : description_.rows) {
+    for (const ParameterRow& row : reconfiguration_.rows) {
       dynamic_reconfigure::ParamDescription parameter;
       parameter.name = row.name;
       parameter.type = typeName(row.value);
       parameter.description = (row.unit.empty() ? "" : row.unit + ", ") + row.meaning +
                               (isChangeable(row.name) ? "" : " (needs a restart)");
-      if (row.name == "leader") parameter.edit_method = menuOf(description_.leaders);
+      if (row.name == "leader") parameter.edit_method = menuOf(reconfiguration_.leaders);
       group.parameters.push_back(parameter);
     }
     message.groups.push_back(group);
-    message.min = limitsOf(description_.rows, false);
-    message.max = limitsOf(description_.rows, true);
-    message.dflt = toMessage(description_.defaults);
+    message.min = limitsOf(reconfiguration_.rows, false);
+    message.max = limitsOf(reconfiguration_.rows, true);
+    message.dflt = toMessage(reconfiguration_.defaults);
     return message;
   }
 
   bool onRequest(Request& request, Response& response) {
     try {
-      Rows rows = description_.rows;
-      const Rows changed = apply(request.config, &rows);
+      ParameterRows rows = reconfiguration_.rows;
+      const ParameterRows changed = apply(request.config, &rows);
       if (!changed.empty()) {
         {
           const std::lock_guard<std::mutex> lock(mutex_);
-          change_(rows);
+          reconfiguration_.change(rows);
         }
-        description_.rows = rows;
+        reconfiguration_.rows = rows;
         for (const ParameterRow& row : changed) tell(row);
       }
     } catch (const std::exception& error) {
       ROS_WARN("no parameter is changed: %s", error.what());
     }
-    response.config = toMessage(description_.rows);
+    response.config = toMessage(reconfiguration_.rows);
     updates_.publish(response.config);
     return true;
   }
 
   /// Writes what is asked for into the rows; returns those that are different now.
-  Rows apply(const Config& config, Rows* rows) const {
-    Rows changed;
+  ParameterRows apply(const Config& config, ParameterRows* rows) const {
+    ParameterRows changed;
     for (const auto& [name, value] : valuesOf(config)) {
       const std::string& wanted = name;
       const auto row = std::find_if(rows->begin(), rows->end(), [&](const auto& one) { return one.name == wanted; });
@@ -190,7 +188,7 @@ class ReconfigureServer::Implementation {
 
   std::vector<std::string> names() const {
     std::vector<std::string> names;
-    for (const ParameterRow& row : description_.rows) names.push_back(row.name);
+    for (const ParameterRow& row : reconfiguration_.rows) names.push_back(row.name);
     return names;
   }
 
@@ -201,17 +199,19 @@ class ReconfigureServer::Implementation {
   }
 
   ros::NodeHandle node_;
-  Description description_;
+  Reconfiguration reconfiguration_;
   std::mutex& mutex_;
-  Change change_;
   ros::Publisher descriptions_;
   ros::Publisher updates_;
   ros::ServiceServer service_;  ///< last: its calls use what is above
 };
 
-ReconfigureServer::ReconfigureServer(const std::string& name, const Description& description, std::mutex* mutex,
-                                     const Change& change)
-    : implementation_(std::make_unique<Implementation>(name, description, mutex, change)) {}
+}  // namespace
+
+std::shared_ptr<void> serveReconfiguration(const std::string& name, const Reconfiguration& reconfiguration,
+                                           std::mutex* mutex) {
+  return std::make_shared<ReconfigureServer>(name, reconfiguration, mutex);
+}
 
 }  // namespace lstm_planner
 
@@ -219,17 +219,11 @@ ReconfigureServer::ReconfigureServer(const std::string& name, const Description&
 
 namespace lstm_planner {
 
-class ReconfigureServer::Implementation {};
-
-ReconfigureServer::ReconfigureServer(const std::string& /*name*/, const Description& /*description*/,
-                                     std::mutex* /*mutex*/, const Change& /*change*/) {}
+std::shared_ptr<void> serveReconfiguration(const std::string& /*name*/, const Reconfiguration& /*reconfiguration*/,
+                                           std::mutex* /*mutex*/) {
+  return nullptr;
+}
 
 }  // namespace lstm_planner
 
 #endif
-
-namespace lstm_planner {
-
-ReconfigureServer::~ReconfigureServer() = default;
-
-}  // namespace lstm_planner

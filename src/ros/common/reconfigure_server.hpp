@@ -24,10 +24,12 @@ struct ParameterRow {
   std::string meaning;
 };
 
+using ParameterRows = std::vector<ParameterRow>;
+
 /// The parameters as rows. `visit(parameters, visitor)` visits them.
 template <typename Parameters, typename Visit>
-std::vector<ParameterRow> rowsOf(const Parameters& parameters, const Visit& visit) {
-  std::vector<ParameterRow> rows;
+ParameterRows rowsOf(const Parameters& parameters, const Visit& visit) {
+  ParameterRows rows;
   visit(parameters,
         [&rows](const std::string& name, const auto& value, Range range, const char* unit, const char* meaning) {
           rows.push_back({name, value, range, unit, meaning});
@@ -37,55 +39,45 @@ std::vector<ParameterRow> rowsOf(const Parameters& parameters, const Visit& visi
 
 /// Copies the values of rows into the parameters of the same name; the types must be equal.
 template <typename Parameters, typename Visit>
-void assignRows(const std::vector<ParameterRow>& rows, Parameters* parameters, const Visit& visit) {
+void assignRows(const ParameterRows& rows, Parameters* parameters, const Visit& visit) {
   visit(*parameters, [&rows](const std::string& name, auto& value, Range, const char*, const char*) {
     const auto row = std::find_if(rows.begin(), rows.end(), [&name](const auto& other) { return other.name == name; });
     if (row != rows.end()) value = std::get<std::decay_t<decltype(value)>>(row->value);
   });
 }
 
-/// Lets a plugin's parameters be changed while it drives, by dynamic_reconfigure (rqt_reconfigure, dynparam) in
-/// "~/NAME". Made from the visited parameters; there is no .cfg file. Does nothing where dynamic_reconfigure was not
-/// installed when this was built.
-class ReconfigureServer {
- public:
-  using Rows = std::vector<ParameterRow>;
+/// What may be changed, and from what to what.
+struct Reconfiguration {
+  ParameterRows rows;      ///< as they are now
+  ParameterRows defaults;  ///< in the same order
+  std::vector<std::string> changeable;
+  std::vector<std::string> leaders;  ///< what `leader` may be
   /// Takes over the rows; throws std::invalid_argument, and changes nothing, when one cannot be used.
-  using Change = std::function<void(const Rows&)>;
-
-  /// What may be changed, and from what to what.
-  struct Description {
-    Rows rows;      ///< as they are now
-    Rows defaults;  ///< in the same order
-    std::vector<std::string> changeable;
-    std::vector<std::string> leaders;  ///< what `leader` may be
-  };
-
-  /// `mutex` is held during a change. Not to be destroyed under it.
-  ReconfigureServer(const std::string& name, const Description& description, std::mutex* mutex, const Change& change);
-  ~ReconfigureServer();
-
- private:
-  class Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  std::function<void(const ParameterRows&)> change;
 };
 
-/// For the parameters of `user`, which has parameters() and change(), and must outlive the server. `visit(parameters,
+/// Lets a plugin's parameters be changed while it drives, by dynamic_reconfigure (rqt_reconfigure, dynparam) in
+/// "~/NAME", as long as the result lives. Made from the visited parameters; there is no .cfg file. Does nothing where
+/// dynamic_reconfigure was not installed when this was built. `mutex` is held during a change; the result is not to be
+/// destroyed under it.
+std::shared_ptr<void> serveReconfiguration(const std::string& name, const Reconfiguration& reconfiguration,
+                                           std::mutex* mutex);
+
+/// For the parameters of `user`, which has parameters() and change(), and must outlive the result. `visit(parameters,
 /// visitor)` visits them.
 template <typename User, typename Visit>
-std::unique_ptr<ReconfigureServer> makeReconfigureServer(const std::string& name, User* user, const Visit& visit,
-                                                         const std::vector<std::string>& changeable,
-                                                         const std::vector<std::string>& leaders, std::mutex* mutex) {
+std::shared_ptr<void> serveReconfiguration(const std::string& name, User* user, const Visit& visit,
+                                           const std::vector<std::string>& changeable,
+                                           const std::vector<std::string>& leaders, std::mutex* mutex) {
   using Parameters = std::decay_t<decltype(user->parameters())>;
-  const auto change = [user, visit](const ReconfigureServer::Rows& rows) {
+  const auto change = [user, visit](const ParameterRows& rows) {
     Parameters changed = user->parameters();
     assignRows(rows, &changed, visit);
     validate(changed);
     user->change(changed);
   };
-  const ReconfigureServer::Description description{rowsOf(user->parameters(), visit), rowsOf(Parameters(), visit),
-                                                   changeable, leaders};
-  return std::make_unique<ReconfigureServer>(name, description, mutex, change);
+  return serveReconfiguration(
+      name, {rowsOf(user->parameters(), visit), rowsOf(Parameters(), visit), changeable, leaders, change}, mutex);
 }
 
 }  // namespace lstm_planner

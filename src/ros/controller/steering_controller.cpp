@@ -54,7 +54,7 @@ void SteeringController::setUp(const std::string& name, tf2_ros::Buffer* tf, cos
   costmap_ = parameters.use_costmap ? costmap_ros : nullptr;
   const auto visit = [](auto& visited, const auto& visitor) { visitSteeringControllerParameters(visited, visitor); };
   reconfigure_ =
-      makeReconfigureServer(name, plan_follower_.get(), visit, changeableSteeringControllerParameters(), {}, &mutex_);
+      serveReconfiguration(name, plan_follower_.get(), visit, changeableSteeringControllerParameters(), {}, &mutex_);
 }
 
 void SteeringController::refuse(const std::string& name, const std::string& reason) {

@@ -23,7 +23,6 @@ namespace lstm_planner {
 
 class PlanFollower;
 class PluginDiagnostics;
-class ReconfigureServer;
 
 /// The local planner plugin for move_base: turns and drives along the plan within the Create 2's limits, slows down
 /// near obstacles, and stands still when scan or odometry are too old.
@@ -77,7 +76,7 @@ class SteeringController : public nav_core::BaseLocalPlanner {
   Answer answer_;
   // Last: they ask for what is above.
   std::unique_ptr<PluginDiagnostics> diagnostics_;
-  std::unique_ptr<ReconfigureServer> reconfigure_;
+  std::shared_ptr<void> reconfigure_;  ///< see serveReconfiguration()
 };
 
 }  // namespace lstm_planner

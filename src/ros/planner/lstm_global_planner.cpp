@@ -58,8 +58,8 @@ void LstmGlobalPlanner::setUp(const std::string& name, costmap_2d::Costmap2DROS*
   ROS_INFO("%s plans in %s with the model %s", name.c_str(), costmap_ros->getGlobalFrameID().c_str(),
            has_model ? parameters.model.c_str() : model_.c_str());
   const auto visit = [](auto& visited, const auto& visitor) { visitGlobalPlannerParameters(visited, visitor); };
-  reconfigure_ = makeReconfigureServer(name, plan_maker_.get(), visit, changeableGlobalPlannerParameters(),
-                                       {"network", "route"}, &mutex_);
+  reconfigure_ = serveReconfiguration(name, plan_maker_.get(), visit, changeableGlobalPlannerParameters(),
+                                      {"network", "route"}, &mutex_);
 }
 
 void LstmGlobalPlanner::refuse(const std::string& name, const std::string& reason) {

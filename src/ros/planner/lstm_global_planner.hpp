@@ -19,7 +19,6 @@ namespace lstm_planner {
 
 class PlanMaker;
 class PluginDiagnostics;
-class ReconfigureServer;
 
 /// The global planner plugin for move_base: plans from the laser scan, the odometry and a recurrent network, without a
 /// map.
@@ -75,7 +74,7 @@ class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner {
   Answer answer_;
   // Last: they ask for what is above.
   std::unique_ptr<PluginDiagnostics> diagnostics_;
-  std::unique_ptr<ReconfigureServer> reconfigure_;
+  std::shared_ptr<void> reconfigure_;  ///< see serveReconfiguration()
 };
 
 }  // namespace lstm_planner
