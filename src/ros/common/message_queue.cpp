@@ -14,16 +14,7 @@ constexpr std::chrono::milliseconds kLongestWait(100);
 
 }  // namespace
 
-MessageQueue::MessageQueue() : thread_(&MessageQueue::handOutNowAndThen, this) {}
-
-MessageQueue::~MessageQueue() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    finished_ = true;
-  }
-  finishes_.notify_all();
-  thread_.join();
-}
+MessageQueue::MessageQueue() : repeater_(kLongestWait, [this] { handOut(); }) {}
 
 ros::NodeHandle MessageQueue::nodeHandle(const std::string& name_space) {
   ros::NodeHandle node_handle(name_space);
@@ -38,15 +29,6 @@ void MessageQueue::handOut() {
   } catch (const std::exception& error) {
     // tf throws for stamps at the end of time; in a thread of its own nobody else would catch that.
     ROS_ERROR_THROTTLE(kLogPeriod, "a message could not be used: %s", error.what());
-  }
-}
-
-void MessageQueue::handOutNowAndThen() {
-  std::unique_lock<std::mutex> lock(mutex_);
-  while (!finishes_.wait_for(lock, kLongestWait, [this] { return finished_; })) {
-    lock.unlock();
-    handOut();
-    lock.lock();
   }
 }
 

@@ -3,10 +3,10 @@
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 
-#include <condition_variable>
 #include <mutex>
 #include <string>
-#include <thread>
+
+#include "ros/common/repeater.hpp"
 
 namespace lstm_planner {
 
@@ -17,9 +17,6 @@ namespace lstm_planner {
 class MessageQueue {
  public:
   MessageQueue();
-  ~MessageQueue();
-  MessageQueue(const MessageQueue&) = delete;
-  MessageQueue& operator=(const MessageQueue&) = delete;
 
   /// A node handle whose messages come here.
   ros::NodeHandle nodeHandle(const std::string& name_space = "");
@@ -28,14 +25,9 @@ class MessageQueue {
   void handOut();
 
  private:
-  void handOutNowAndThen();
-
   ros::CallbackQueue queue_;
   std::mutex handing_out_;  ///< one at a time, or messages would change places
-  std::mutex mutex_;        ///< guards finished_
-  std::condition_variable finishes_;
-  bool finished_ = false;
-  std::thread thread_;
+  Repeater repeater_;       ///< last: it uses what is above
 };
 
 }  // namespace lstm_planner

@@ -52,15 +52,14 @@ PluginDiagnostics::PluginDiagnostics(const std::string& name, std::mutex* mutex,
                }));
 }
 
-void PluginDiagnostics::start() { thread_ = std::thread(&PluginDiagnostics::tellNowAndThen, this); }
-
-PluginDiagnostics::~PluginDiagnostics() {
-  {
-    const std::lock_guard<std::mutex> lock(finish_mutex_);
-    finished_ = true;
-  }
-  finishes_.notify_all();
-  if (thread_.joinable()) thread_.join();
+void PluginDiagnostics::start() {
+  repeater_.emplace(kStatusPeriod, [this] {
+    try {
+      if (ros::ok()) tell();
+    } catch (const std::exception& error) {
+      ROS_ERROR_THROTTLE(kLogPeriod, "no diagnostics of %s: %s", name_.c_str(), error.what());
+    }
+  });
 }
 
 void PluginDiagnostics::add(const std::string& what, const Report& report) {
@@ -86,19 +85,6 @@ PluginDiagnostics::Report PluginDiagnostics::locked(const Report& report) {
     const std::lock_guard<std::mutex> lock(mutex_);
     report(status);
   };
-}
-
-void PluginDiagnostics::tellNowAndThen() {
-  std::unique_lock<std::mutex> lock(finish_mutex_);
-  while (!finishes_.wait_for(lock, kStatusPeriod, [this] { return finished_; })) {
-    lock.unlock();
-    try {
-      if (ros::ok()) tell();
-    } catch (const std::exception& error) {
-      ROS_ERROR_THROTTLE(kLogPeriod, "no diagnostics of %s: %s", name_.c_str(), error.what());
-    }
-    lock.lock();
-  }
 }
 
 void PluginDiagnostics::tell() {

@@ -4,12 +4,12 @@
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 
-#include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
-#include <thread>
 
+#include "ros/common/repeater.hpp"
 #include "ros/common/sensor_listener.hpp"
 
 namespace lstm_planner {
@@ -28,9 +28,6 @@ class PluginDiagnostics {
   /// of the same moment in addition. Construct, call and destroy this without holding the mutex: diagnostic_updater has
   /// a lock of its own, which is taken before it.
   PluginDiagnostics(const std::string& name, std::mutex* mutex, const Report& state, const Report& figures);
-  ~PluginDiagnostics();
-  PluginDiagnostics(const PluginDiagnostics&) = delete;
-  PluginDiagnostics& operator=(const PluginDiagnostics&) = delete;
 
   /// One more for /diagnostics. Before start().
   void add(const std::string& what, const Report& report);
@@ -40,7 +37,6 @@ class PluginDiagnostics {
 
  private:
   Report locked(const Report& report);
-  void tellNowAndThen();
   void tell();
 
   std::string name_;
@@ -51,10 +47,7 @@ class PluginDiagnostics {
   diagnostic_updater::Updater updater_;
   ros::WallTime updated_;
   diagnostic_msgs::DiagnosticStatus published_;  ///< last
-  std::mutex finish_mutex_;                      ///< guards finished_
-  std::condition_variable finishes_;
-  bool finished_ = false;
-  std::thread thread_;  ///< last: it uses what is above
+  std::optional<Repeater> repeater_;             ///< last: it uses what is above
 };
 
 }  // namespace lstm_planner
