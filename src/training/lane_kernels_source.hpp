@@ -3,7 +3,6 @@
 // sum is made in the same order, and the sets with a multiply-add in one instruction give the same bits.
 
 #include "training/lane_functions.hpp"
-#include "training/lane_kernel_table.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -13,10 +13,10 @@ void activate(Activation activation, float* values, int count) {
     case Activation::kIdentity:
       return;
     case Activation::kTanh:
-      return applyTanh(values, count);
+      return laneKernels().applyTanh(values, count);
     case Activation::kSigmoid:  // by way of tanh
       halve(0.0f);
-      applyTanh(values, count);
+      laneKernels().applyTanh(values, count);
       return halve(0.5f);
     case Activation::kRelu:
       for (int i = 0; i < count; ++i) values[i] = std::max(values[i], 0.0f);
@@ -30,7 +30,7 @@ void multiplyByDerivative(Activation activation, const float* results, float* gr
     case Activation::kIdentity:
       return;
     case Activation::kTanh:
-      return multiplyByTanhDerivative(results, gradient, count);
+      return laneKernels().multiplyByTanhDerivative(results, gradient, count);
     case Activation::kSigmoid:
       for (int i = 0; i < count; ++i) gradient[i] *= results[i] * (1.0f - results[i]);
       return;
@@ -74,8 +74,8 @@ class RecurrentLanes : public LaneLayer {
 
   void forward(const float* parameters, int step, const float* inputs) override {
     weigh(parameters, parameters + biasOffset(), step, inputs);
-    accumulateProduct(recurrentWeights(parameters), 1, units_, units_, outputs_, previousOutputs(step), sums(step),
-                      lanes_);
+    laneKernels().accumulateProduct(recurrentWeights(parameters), 1, units_, units_, outputs_, previousOutputs(step),
+                                    sums(step), lanes_);
     activate(step);
     std::copy_n(results(step), outputs_ * lanes_, previousOutputs(step + 1));
   }
@@ -87,18 +87,18 @@ class RecurrentLanes : public LaneLayer {
     for (int i = 0; i < outputs_ * lanes_; ++i) gradient[i] += carried_gradient_[static_cast<std::size_t>(i)];
     activateBackward(step, gradient);
     std::fill(carried_gradient_.begin(), carried_gradient_.end(), 0.0f);
-    accumulateProduct(recurrentWeights(parameters), units_, 1, outputs_, units_, sums(step), carried_gradient_.data(),
-                      lanes_);
+    laneKernels().accumulateProduct(recurrentWeights(parameters), units_, 1, outputs_, units_, sums(step),
+                                    carried_gradient_.data(), lanes_);
     for (const Forgotten& forgotten : forgotten_) {
       if (forgotten.step == step) clearLane(forgotten.lane, carried_gradient_.data());
     }
   }
 
   void addGradient(const float* inputs, int steps, float* gradient) const override {
-    accumulateWeightGradient(sums(0), inputs, units_, inputs_, steps, gradient, lanes_);
-    accumulateWeightGradient(sums(0), previous_outputs_.data(), units_, outputs_, steps, gradient + units_ * inputs_,
-                             lanes_);
-    accumulateBiasGradient(sums(0), units_, steps, gradient + biasOffset(), lanes_);
+    laneKernels().accumulateWeightGradient(sums(0), inputs, units_, inputs_, steps, gradient, lanes_);
+    laneKernels().accumulateWeightGradient(sums(0), previous_outputs_.data(), units_, outputs_, steps,
+                                           gradient + units_ * inputs_, lanes_);
+    laneKernels().accumulateBiasGradient(sums(0), units_, steps, gradient + biasOffset(), lanes_);
   }
 
   void forget(int step, int lane) override {
@@ -150,11 +150,11 @@ class PlainRecurrentLanes : public RecurrentLanes {
  protected:
   void activate(int step) override {
     std::copy_n(sums(step), units_ * lanes_, LaneLayer::results(step));
-    applyTanh(LaneLayer::results(step), units_ * lanes_);
+    laneKernels().applyTanh(LaneLayer::results(step), units_ * lanes_);
   }
   void activateBackward(int step, const float* gradient) override {
     std::copy_n(gradient, units_ * lanes_, sums(step));
-    multiplyByTanhDerivative(results(step), sums(step), units_ * lanes_);
+    laneKernels().multiplyByTanhDerivative(results(step), sums(step), units_ * lanes_);
   }
 };
 
@@ -198,12 +198,12 @@ class LstmLanes : public RecurrentLanes {
 
  protected:
   void activate(int step) override {
-    lstmForward(sums(step), cells(step), cells(step + 1), cell_tanhs_.data() + at(step, outputs_),
-                LaneLayer::results(step), outputs_, lanes_, candidate_);
+    laneKernels().lstmForward(sums(step), cells(step), cells(step + 1), cell_tanhs_.data() + at(step, outputs_),
+                              LaneLayer::results(step), outputs_, lanes_, candidate_);
   }
   void activateBackward(int step, const float* gradient) override {
-    lstmBackward(sums(step), cells(step), cell_tanhs_.data() + at(step, outputs_), gradient, cell_gradient_.data(),
-                 outputs_, lanes_, candidate_);
+    laneKernels().lstmBackward(sums(step), cells(step), cell_tanhs_.data() + at(step, outputs_), gradient,
+                               cell_gradient_.data(), outputs_, lanes_, candidate_);
   }
 
  private:

@@ -28,8 +28,8 @@ class LaneLayer {
   virtual void backward(const float* parameters, int step) = 0;
   virtual void startBackward() {}
   virtual void addGradient(const float* inputs, int steps, float* gradient) const {
-    accumulateWeightGradient(sums(0), inputs, units_, inputs_, steps, gradient, lanes_);
-    accumulateBiasGradient(sums(0), units_, steps, gradient + units_ * inputs_, lanes_);
+    laneKernels().accumulateWeightGradient(sums(0), inputs, units_, inputs_, steps, gradient, lanes_);
+    laneKernels().accumulateBiasGradient(sums(0), units_, steps, gradient + units_ * inputs_, lanes_);
   }
   virtual void forget(int /*step*/, int /*lane*/) {}
   virtual void carryOver(int /*steps*/) {}
@@ -43,7 +43,7 @@ class LaneLayer {
   /// inputs_gradient = transposed input weights * gradient by the weighted sums.
   void inputGradient(const float* parameters, int step, float* gradient) const {
     std::fill_n(gradient, inputs_ * lanes_, 0.0f);
-    accumulateProduct(parameters, units_, 1, inputs_, units_, sums(step), gradient, lanes_);
+    laneKernels().accumulateProduct(parameters, units_, 1, inputs_, units_, sums(step), gradient, lanes_);
   }
 
  protected:
@@ -55,8 +55,8 @@ class LaneLayer {
   float* results(int step) { return results_.data() + at(step, outputs_); }
 
   void weigh(const float* weights, const float* bias, int step, const float* inputs) {
-    setRows(bias, units_, sums(step), lanes_);
-    accumulateProduct(weights, 1, units_, units_, inputs_, inputs, sums(step), lanes_);
+    for (int unit = 0; unit < units_; ++unit) std::fill_n(sums(step) + unit * lanes_, lanes_, bias[unit]);
+    laneKernels().accumulateProduct(weights, 1, units_, units_, inputs_, inputs, sums(step), lanes_);
   }
 
   int inputs_;

@@ -8,7 +8,6 @@
 #include "lstm_planner/training/lane_network.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
 #include "lstm_planner/training/sequence.hpp"
-#include "training/lane_kernels.hpp"
 #include "unit/training/double_network.hpp"
 
 namespace lstm_planner::test_lane_network {
