@@ -79,10 +79,8 @@ std::vector<std::uint8_t> toBytes(const ImitationState& state) {
                {"weights", vectorToJson(state.training.weights)},
                {"averaged_weights", vectorToJson(state.training.averaged_weights)},
                {"best_weights", vectorToJson(state.training.best_weights)},
-               {"velocity", vectorToJson(state.training.optimiser.velocity)},
-               {"squared_average", vectorToJson(state.training.optimiser.squared_average)},
-               {"updates", state.training.optimiser.updates},
                {"round_curve", toJson(state.training.curve)}};
+  json.update(optimiserToJson(state.training.optimiser));
   for (const Eigen::VectorXf& learner : state.learners) json["learners"].push_back(vectorToJson(learner));
   return Json::to_cbor(json);
 }
@@ -95,9 +93,7 @@ ImitationState imitationStateFrom(const std::vector<std::uint8_t>& bytes) try {
   state.training.weights = vectorFromJson(json.at("weights"));
   state.training.best_weights = vectorFromJson(json.at("best_weights"));
   state.training.averaged_weights = vectorFromJson(json.at("averaged_weights"));
-  state.training.optimiser.velocity = vectorFromJson(json.at("velocity"));
-  state.training.optimiser.squared_average = vectorFromJson(json.at("squared_average"));
-  state.training.optimiser.updates = wholeNumber(json.at("updates"), 0, LONG_MAX);
+  state.training.optimiser = optimiserFromJson(json);
   state.curve = curveFrom(json.at("curve"));
   state.training.curve = curveFrom(json.at("round_curve"));
   return state;
