@@ -142,8 +142,8 @@ PracticeEpisode practiseAlone(const DriveActorCriticParameters& parameters, cons
   Practice practice(parameters, exercise, task, drive, agent, random());
   agent.setStepListener(
       [&practice](const Situation&, const Observation& observation) { return practice.step(observation); });
-  const DriveResult::End end = drive.run(parameters.max_steps, &agent);
-  return practice.finish(end == DriveResult::End::kReached);
+  const ClosedLoop::End end = drive.run(parameters.max_steps, &agent);
+  return practice.finish(end == ClosedLoop::End::kArrived);
 }
 
 }  // namespace

@@ -72,19 +72,11 @@ StepSimulator::StepSimulator(const World& world, const DriveTask& task, const Pr
       scanner_(conditions.scanner, ~seed),
       pose_(task.start) {}
 
-DriveResult::End StepSimulator::run(int max_steps, NavigationAgent* agent) {
+ClosedLoop::End StepSimulator::run(int max_steps, NavigationAgent* agent) {
   int steps = 0;
   const auto goes_on = [&steps, max_steps] { return steps++ < max_steps; };
   const auto note = [](const Decision&) {};
-  switch (ClosedLoop(this, agent).run(toLocalFrame(task_.start, task_.goal), goes_on, note)) {
-    case ClosedLoop::End::kArrived:
-      return DriveResult::End::kReached;
-    case ClosedLoop::End::kNoPath:
-      return DriveResult::End::kNoPath;
-    case ClosedLoop::End::kStopped:
-      break;
-  }
-  return DriveResult::End::kTimeout;
+  return ClosedLoop(this, agent).run(toLocalFrame(task_.start, task_.goal), goes_on, note);
 }
 
 bool StepSimulator::sense(double range_cap, Situation* situation) {

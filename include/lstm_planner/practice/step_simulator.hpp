@@ -45,7 +45,7 @@ class StepSimulator : private LoopRobot {
   StepSimulator(const World& world, const DriveTask& task, const PracticeConditions& conditions, std::uint64_t seed);
 
   /// Gives the agent the goal, and drives until it has arrived by its odometry, gives up, or has made so many steps.
-  DriveResult::End run(int max_steps, NavigationAgent* agent);
+  ClosedLoop::End run(int max_steps, NavigationAgent* agent);
 
   const Pose2& truePose() const { return pose_; }  ///< world frame; known to teachers only
   int contacts() const { return contacts_.contacts(); }
