@@ -23,7 +23,7 @@ DriveTile::DriveTile(const DriveActorCriticParameters& parameters, const LayerSt
       policy_(policy, views_.networkLanes(), parameters.window),
       critic_(critic, views_.queues() * parameters.window, 1) {}
 
-void DriveTile::rewind() { policy_.setState(std::vector<float>(policy_.state().size(), 0.0f)); }
+void DriveTile::rewind() { policy_.reset(); }
 
 const float* DriveTile::criticValues(int window, const Eigen::VectorXf& parameters) {
   for (int time = 0; time < parameters_.window; ++time) {
