@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -100,10 +99,9 @@ class Practice {
     episode_.probabilities.resize(first + allowed.size(), 0.0f);
     float* probabilities = episode_.probabilities.data() + first;
     const std::vector<float>& preferences = agent_.decision().preferences;
-    fillChances(
+    const float total = fillChances(
         static_cast<int>(allowed.size()), [&](int action) { return allowed[static_cast<std::size_t>(action)] != 0; },
         [&](int action) { return preferences[static_cast<std::size_t>(action)]; }, probabilities);
-    const float total = std::accumulate(probabilities, probabilities + allowed.size(), 0.0f);
     if (!(total > 0.0f)) return false;
     PracticeEpisode::Step& step = episode_.steps.back();
     step.action = drawByChances(static_cast<int>(allowed.size()), total, &random_, probabilities);
