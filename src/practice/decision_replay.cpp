@@ -17,12 +17,6 @@ namespace lstm_planner {
 
 namespace {
 
-LaserScan scanOf(const DriveStep& step) {
-  const ScanGeometry& geometry = step.geometry;
-  return {step.stamp,         geometry.angle_min, geometry.angle_increment,
-          geometry.range_min, geometry.range_max, step.ranges};
-}
-
 std::string joined(const std::map<std::string, long>& counts, bool name_first) {
   std::string text;
   for (const auto& [name, count] : counts) {
@@ -65,7 +59,8 @@ ReplayedDecision DecisionReplay::decideAbout(const DriveStep& step) {
   }
   if (newest_ && step.stamp < *newest_) noteJump();  // of the clock; OdometryHistory counts them, too
   newest_ = step.stamp;
-  perceive(scanOf(step), step.geometry.mount, rules_, description().encoder.range_cap, &situation_);
+  perceive(scanOf(step.geometry, step.ranges), step.geometry.mount, rules_, description().encoder.range_cap,
+           &situation_);
   situation_.pose = step.pose;
   situation_.time = step.stamp;
   if (agent_.parameters().correct_drift) drift_.correct(&situation_);
