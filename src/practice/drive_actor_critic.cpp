@@ -89,7 +89,13 @@ class PractisingActorCritic final : public DriveActorCritic {
     imitation_ = weight;
   }
 
-  ReinforcementReport iterate() override {
+  bool done() const override { return learner_.updates() >= parameters_.iterations; }
+  bool judgementDue() const override {
+    const int interval = std::max(1, parameters_.iterations / parameters_.judgements);
+    return done() || learner_.updates() % interval == 0;
+  }
+
+  void step() override {
     std::vector<PracticeEpisode> episodes = practise(parameters_, policy_, learner_.updates());
     const PracticeSums sums = sumUp(episodes);
     addRecorded(sums.steps, &episodes);
@@ -114,10 +120,14 @@ class PractisingActorCritic final : public DriveActorCritic {
     }
     setParameterVector(learner_.policy(), policy_);
     learner_.finishUpdate(sums.steps);
-    return report(sums, batch);
+    report_ = learner_.report(batch.judged());
+    report_.reward = sums.reward;
+    report_.arrival = sums.arrival;
+    report_.entropy = batch.entropy();
   }
 
-  int updates() const override { return learner_.updates(); }
+  const ReinforcementReport& report() const override { return report_; }
+  int iterations() const override { return learner_.updates(); }
   const LayerStack& layers() const override { return policy_; }
 
   std::vector<std::uint8_t> checkpoint() const override { return learner_.checkpoint(); }
@@ -138,18 +148,11 @@ class PractisingActorCritic final : public DriveActorCritic {
     }
   }
 
-  ReinforcementReport report(const PracticeSums& sums, DriveBatch& batch) {
-    ReinforcementReport report = learner_.report(batch.judged());
-    report.reward = sums.reward;
-    report.arrival = sums.arrival;
-    report.entropy = batch.entropy();
-    return report;
-  }
-
   DriveActorCriticParameters parameters_;
   LayerStack policy_;
   LayerStack critic_;
   ActorCritic learner_;
+  ReinforcementReport report_;
   std::vector<PracticeEpisode> recorded_;
   double recorded_steps_ = 0.0;
   double imitation_ = 0.0;
@@ -161,6 +164,7 @@ void validate(const DriveActorCriticParameters& parameters) {
   validate(static_cast<const ActorCriticParameters&>(parameters));
   visitPracticeParameters(parameters, RangeCheck());
   visitPolicyChangeParameters(parameters, RangeCheck());
+  checkAtLeastOne("judgements", parameters.judgements);
   checkParameter(parameters.discount < 1.0, "discount", parameters.discount, "a number in (0, 1)");
   validate(parameters.policy.encoder);
   validate(parameters.course);
@@ -169,12 +173,6 @@ void validate(const DriveActorCriticParameters& parameters) {
 std::unique_ptr<DriveActorCritic> makeDriveActorCritic(const DriveActorCriticParameters& parameters,
                                                        LayerStack layers) {
   return std::make_unique<PractisingActorCritic>(parameters, std::move(layers));
-}
-
-DriveReinforcement::DriveReinforcement(int iterations, int judgements, DriveActorCritic* learner)
-    : iterations_(iterations), interval_(std::max(1, iterations / std::max(1, judgements))), learner_(*learner) {
-  checkAtLeastOne("iterations", iterations);
-  checkAtLeastOne("judgements", judgements);
 }
 
 }  // namespace lstm_planner

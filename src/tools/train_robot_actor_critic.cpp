@@ -15,9 +15,6 @@
 namespace lstm_planner {
 namespace {
 
-/// Times that the network is judged in a whole training, but for the first.
-constexpr int kJudgements = 10;
-
 /// What is to be trained, and how.
 struct RobotReinforcementPlan {
   RobotTrainingOptions options;
@@ -90,10 +87,11 @@ LayerStack firstLayers(const RobotReinforcementPlan& plan, PolicyDescription* po
 
 class RobotReinforcementHost : public ToolTrainingHost {
  public:
-  RobotReinforcementHost(const RobotReinforcementPlan& plan, const DriveReinforcement& training)
+  RobotReinforcementHost(const RobotReinforcementPlan& plan, const DriveActorCritic& training)
       : ToolTrainingHost(plan.options.loop),
         options_(plan.options),
         policy_(plan.learner.policy),
+        iterations_(plan.learner.iterations),
         training_(training),
         is_validated_(!plan.validation.empty()) {
     if (is_validated_) validation_ = readDatasetsFor(policy_, plan.validation);
@@ -124,7 +122,7 @@ class RobotReinforcementHost : public ToolTrainingHost {
     const ConfusionMatrix taken = preferencesIn(validation_, DrivePolicy(policy_, training_.layers()));
     return "; recordings: " + accuracyText(taken) + " (majority-class baseline: " + majorityText(taken) + ")";
   }
-  double progress() const override { return training_.progress(); }
+  double progress() const override { return static_cast<double>(training_.iterations()) / iterations_; }
   std::string position() const override { return "iteration " + std::to_string(training_.iterations()); }
   std::string scoreText(double score) const override { return namedScore("efficiency", score); }
   void printHeader() const override { std::cout << table_.headings() << " | validation drives" << std::endl; }
@@ -132,7 +130,8 @@ class RobotReinforcementHost : public ToolTrainingHost {
   const TextTable table_{"iteration     steps  reward  arrival  entropy  explained"};
   const RobotTrainingOptions& options_;
   const PolicyDescription& policy_;
-  const DriveReinforcement& training_;
+  const int iterations_;
+  const DriveActorCritic& training_;
   const bool is_validated_;
   Dataset validation_;
   DriveScore score_;  ///< what was judged last
@@ -144,13 +143,12 @@ int trainRobotByActorCritic(const std::vector<std::string>& arguments) {
   RobotReinforcementPlan plan;
   if (!readPlan(arguments, &plan)) return 0;
   LayerStack layers = firstLayers(plan, &plan.learner.policy);
-  const auto learner = makeDriveActorCritic(plan.learner, std::move(layers));
+  const auto training = makeDriveActorCritic(plan.learner, std::move(layers));
   if (!plan.recordings.empty()) {
-    learner->follow(readDatasetsFor(plan.learner.policy, plan.recordings), plan.recordings_weight);
+    training->follow(readDatasetsFor(plan.learner.policy, plan.recordings), plan.recordings_weight);
   }
-  DriveReinforcement training(plan.learner.iterations, kJudgements, learner.get());
-  RobotReinforcementHost host(plan, training);
-  return host.end(runTraining(plan.options.loop, &training, &host));
+  RobotReinforcementHost host(plan, *training);
+  return host.end(runTraining(plan.options.loop, training.get(), &host));
 }
 
 }  // namespace lstm_planner

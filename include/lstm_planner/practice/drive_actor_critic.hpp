@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -33,6 +32,7 @@ struct DriveActorCriticParameters : ActorCriticParameters {
   PolicyDescription policy;
   DriveCourseParameters course;
   int iterations = 60;        ///< collect, then update
+  int judgements = 10;        ///< of the network, besides the first, about; no more than there are iterations
   int worlds = 16;            ///< an iteration, new ones each time
   int goals = 2;              ///< a world
   int starts = 8;             ///< drives to a goal
@@ -69,56 +69,22 @@ void visitPolicyChangeParameters(Parameters& p, const Visitor& visit) {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const DriveActorCriticParameters& parameters);
 
-/// The robot's network, while it learns by reinforcement.
-class DriveActorCritic {
+/// The robot's network, while it learns by reinforcement: a step is an iteration, which collects drives and learns from
+/// them. What happens in it depends only on the weights, the seed, and how many iterations there were before. The
+/// network is judged before the first iteration, after the last, and in between.
+class DriveActorCritic : public SteppedTraining {
  public:
-  virtual ~DriveActorCritic() = default;
-
-  /// Collects drives and learns from them. What happens depends only on the weights, the seed, and how many iterations
-  /// there were before.
-  virtual ReinforcementReport iterate() = 0;
-
   /// From now on each iteration also learns to steer as the driver of these drives did (cross-entropy, rare angles
   /// weigh more), with the `weight` that the mean over the recorded steps has beside the mean over the practised ones.
   /// So a network that drives can take over somebody's manner without forgetting how to arrive. Throws
   /// std::invalid_argument unless the weight is positive, there are steps, and the recordings fit the policy.
   virtual void follow(const Dataset& recordings, double weight) = 0;
 
-  virtual int updates() const = 0;  ///< done so far
-  virtual const LayerStack& layers() const = 0;
-
-  /// Everything that the next update depends on.
-  virtual std::vector<std::uint8_t> checkpoint() const = 0;
-  /// Throws std::invalid_argument when it is not a checkpoint of the same networks.
-  virtual void restore(const std::vector<std::uint8_t>& checkpoint) = 0;
+  virtual const ReinforcementReport& report() const = 0;  ///< of the last iteration
+  virtual int iterations() const = 0;                     ///< done so far
 };
 
 /// `layers` are the policy's, with weights to start from. Throws std::invalid_argument for what does not fit.
 std::unique_ptr<DriveActorCritic> makeDriveActorCritic(const DriveActorCriticParameters& parameters, LayerStack layers);
-
-/// Reinforcement learning of the robot: a step is an iteration of the learner, which is judged before the first, after
-/// the last, and as often as is told in between.
-class DriveReinforcement : public SteppedTraining {
- public:
-  /// `learner` must outlive it. Throws std::invalid_argument unless there is an iteration and a judgement.
-  DriveReinforcement(int iterations, int judgements, DriveActorCritic* learner);
-
-  const ReinforcementReport& report() const { return report_; }  ///< of the last step
-  int iterations() const { return learner_.updates(); }          ///< done so far
-  double progress() const { return static_cast<double>(learner_.updates()) / iterations_; }
-
-  bool done() const override { return learner_.updates() >= iterations_; }
-  void step() override { report_ = learner_.iterate(); }
-  const LayerStack& layers() const override { return learner_.layers(); }
-  bool judgementDue() const override { return done() || learner_.updates() % interval_ == 0; }
-  std::vector<std::uint8_t> checkpoint() const override { return learner_.checkpoint(); }
-  void restore(const std::vector<std::uint8_t>& checkpoint) override { learner_.restore(checkpoint); }
-
- private:
-  int iterations_;
-  int interval_;  ///< iterations from judgement to judgement
-  DriveActorCritic& learner_;
-  ReinforcementReport report_;
-};
 
 }  // namespace lstm_planner

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -10,21 +11,47 @@
 #include "lstm_planner/practice/drive_actor_critic.hpp"
 #include "lstm_planner/practice/recorded_choices.hpp"
 #include "lstm_planner/practice/step_simulator.hpp"
+#include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
 #include "support/case_name.hpp"
 #include "support/refusal.hpp"
-#include "unit/simulation/drive_learning_fixtures.hpp"
 #include "unit/simulation/recorded_drives_fixtures.hpp"
+#include "unit/training/thread_ranks.hpp"
 
 namespace lstm_planner::test_drive_actor_critic {
 namespace {
 
 constexpr std::uint64_t kNetworkSeed = 7;
 
+/// A training that takes a moment.
 DriveActorCriticParameters tiny(int views = 1) {
-  auto parameters = tinyTraining<DriveActorCriticParameters>(views);
+  DriveActorCriticParameters parameters;
+  parameters.policy.encoder.views = views;
+  parameters.course.worlds = {WorldKind::kOpen};
+  parameters.iterations = 4;
+  parameters.worlds = 2;
+  parameters.goals = 1;
+  parameters.starts = 4;
+  parameters.max_steps = 60;
+  parameters.threads = 1;
   parameters.sharpness = 1.0;
   return parameters;
+}
+
+std::unique_ptr<DriveActorCritic> newLearner(const DriveActorCriticParameters& parameters) {
+  LayerStack layers = makeLstmStack(static_cast<int>(parameters.policy.encoder.input_layout.size()), {4},
+                                    networkOutputs(parameters.policy));
+  initialise({}, kNetworkSeed, layers);
+  return makeDriveActorCritic(parameters, layers);
+}
+
+ReinforcementReport iterate(DriveActorCritic* learner) {
+  learner->step();
+  return learner->report();
+}
+
+void finish(DriveActorCritic* learner) {
+  while (!learner->done()) learner->step();
 }
 
 /// Half of the drives are practised, and half are examples.
@@ -65,42 +92,57 @@ TEST_P(DriveActorCriticWithViews, LearnsToGoToTheGoalInTheOpen) {
   parameters.iterations = 15;
   parameters.starts = 12;
   parameters.learning_rate = 0.01;
-  const auto learner = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
-  const double before = learner->iterate().reward;
-  double after = 0.0;
-  while (learner->updates() < parameters.iterations) after = learner->iterate().reward;
-  EXPECT_GT(after, before + 2.0) << "m nearer to the goal a drive";
+  const auto learner = newLearner(parameters);
+  const double before = iterate(learner.get()).reward;
+  finish(learner.get());
+  EXPECT_GT(learner->report().reward, before + 2.0) << "m nearer to the goal a drive";
 }
 
 TEST_P(DriveActorCriticWithViews, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
-  expectTheSameOnAnyNumberOfRanks(
-      withExamples(GetParam()), makeDriveActorCritic, kNetworkSeed, [](const ReinforcementReport& report) {
-        return std::vector<double>{report.steps, report.reward, report.arrival, report.entropy, report.explained};
-      });
+  struct Outcome {
+    Eigen::VectorXf weights;
+    std::vector<double> reported;
+  };
+  const auto learnOn = [](Communicator* communicator) {
+    DriveActorCriticParameters parameters = withExamples(GetParam());
+    parameters.communicator = communicator;
+    const auto learner = newLearner(parameters);
+    learner->step();
+    const ReinforcementReport report = iterate(learner.get());
+    return Outcome{parameterVector(learner->layers()),
+                   {report.steps, report.reward, report.arrival, report.entropy, report.explained}};
+  };
+  const Outcome one = learnOn(oneProcess());
+  for (const int ranks : {2, 3}) {  // 3: more ranks than there are worlds
+    for (const Outcome& outcome : onRanks(ranks, learnOn)) {
+      EXPECT_EQ(outcome.weights, one.weights) << ranks << " ranks";
+      EXPECT_EQ(outcome.reported, one.reported) << ranks << " ranks";
+    }
+  }
 }
 
 TEST_P(DriveActorCriticWithViews, GivesTheSameWeightsForAnyNumberOfThreads) {
   DriveActorCriticParameters parameters = withExamples(GetParam());
-  const auto one = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  const auto one = newLearner(parameters);
   parameters.threads = 3;
-  const auto three = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  const auto three = newLearner(parameters);
   for (int i = 0; i < 2; ++i) {
-    one->iterate();
-    three->iterate();
+    one->step();
+    three->step();
   }
   EXPECT_EQ(parameterVector(one->layers()), parameterVector(three->layers()));
 }
 
 TEST_P(DriveActorCriticWithViews, GoesOnFromACheckpointAsIfThereHadBeenNoBreak) {
   const DriveActorCriticParameters parameters = withExamples(GetParam());
-  const auto through = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
-  const auto first = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
-  for (int i = 0; i < 4; ++i) through->iterate();
-  for (int i = 0; i < 2; ++i) first->iterate();
-  const auto second = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  const auto through = newLearner(parameters);
+  const auto first = newLearner(parameters);
+  for (int i = 0; i < 4; ++i) through->step();
+  for (int i = 0; i < 2; ++i) first->step();
+  const auto second = newLearner(parameters);
   second->restore(first->checkpoint());
-  EXPECT_EQ(second->updates(), 2);
-  for (int i = 0; i < 2; ++i) second->iterate();
+  EXPECT_EQ(second->iterations(), 2);
+  for (int i = 0; i < 2; ++i) second->step();
   EXPECT_EQ(parameterVector(through->layers()), parameterVector(second->layers()));
 }
 
@@ -118,9 +160,9 @@ TEST_P(DriveActorCriticWithViews, TakesOverADriversMannerWhileItPractises) {
     DriveActorCriticParameters parameters = tiny(GetParam());
     parameters.learning_rate = 0.01;
     parameters.iterations = 8;
-    const auto learner = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+    const auto learner = newLearner(parameters);
     if (follows) learner->follow(recordings, 3.0);
-    while (learner->updates() < parameters.iterations) learner->iterate();
+    finish(learner.get());
     const ConfusionMatrix taken = preferencesIn(others, DrivePolicy(parameters.policy, learner->layers()));
     return static_cast<double>(taken.trace()) / static_cast<double>(taken.sum());
   };
@@ -134,31 +176,52 @@ TEST_P(DriveActorCriticWithViews, LearnsToChooseTheRememberedPath) {
   parameters.path_share = 1.0;
   parameters.learning_rate = 0.01;
   parameters.iterations = 12;
-  const auto learner = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  const auto learner = newLearner(parameters);
   const double before = shareAlongPath(parameters, learner->layers());
-  while (learner->updates() < parameters.iterations) learner->iterate();
+  finish(learner.get());
   EXPECT_GT(shareAlongPath(parameters, learner->layers()), before + 0.2) << "before: " << before;
+}
+
+std::vector<int> judgedAfter(int iterations, int judgements) {
+  DriveActorCriticParameters parameters = tiny();
+  parameters.starts = 1;
+  parameters.iterations = iterations;
+  parameters.judgements = judgements;
+  const auto learner = newLearner(parameters);
+  std::vector<int> judged_after;
+  if (learner->judgementDue()) judged_after.push_back(0);
+  while (!learner->done()) {
+    EXPECT_EQ(iterate(learner.get()).update, learner->iterations());
+    if (learner->judgementDue()) judged_after.push_back(learner->iterations());
+  }
+  return judged_after;
+}
+
+TEST(DriveActorCritic, IsJudgedFirstAndLastAndInBetween) {
+  EXPECT_EQ(judgedAfter(10, 2), (std::vector<int>{0, 5, 10}));
+  EXPECT_EQ(judgedAfter(11, 2), (std::vector<int>{0, 5, 10, 11}));
+  EXPECT_EQ(judgedAfter(2, 10), (std::vector<int>{0, 1, 2})) << "no more often than there are iterations";
 }
 
 TEST(DriveActorCritic, RefusesRecordingsThatItCannotFollow) {
   const DriveActorCriticParameters parameters = tiny();
-  const auto learner = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  const auto learner = newLearner(parameters);
   EXPECT_THROW(learner->follow(drivesAllAround(2, 5, 1), 0.0), std::invalid_argument);
   EXPECT_THROW(learner->follow(Dataset(), 1.0), std::invalid_argument);
 }
 
 TEST(DriveActorCritic, RefusesWhatDoesNotFit) {
   DriveActorCriticParameters parameters = tiny();
-  const auto learner = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  const auto learner = newLearner(parameters);
   EXPECT_THROW(learner->restore({1, 2, 3}), std::invalid_argument);
   DriveActorCriticParameters other = parameters;
   other.critic_units = {5};
-  EXPECT_THROW(makeDriveActorCritic(other, tinyNetwork(other, kNetworkSeed))->restore(learner->checkpoint()),
-               std::invalid_argument);
+  EXPECT_THROW(newLearner(other)->restore(learner->checkpoint()), std::invalid_argument);
   EXPECT_THROW(makeDriveActorCritic(parameters, makeLstmStack(3, {4}, 5)), std::invalid_argument);
   const auto refused = [&](void (*change)(DriveActorCriticParameters*)) { return test::isRefused(parameters, change); };
   EXPECT_FALSE(refused([](DriveActorCriticParameters*) {}));
   EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->iterations = 0; }));
+  EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->judgements = 0; }));
   EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->window = 0; }));
   EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->clip = 0.0; }));
   EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->discount = 1.0; }));
