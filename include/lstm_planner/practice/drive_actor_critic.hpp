@@ -19,16 +19,6 @@ namespace lstm_planner {
 ///
 /// Lengths are in m, and an episode is a drive.
 struct DriveActorCriticParameters : ActorCriticParameters {
-  DriveActorCriticParameters() {
-    window = 32;
-    entropy_start = 0.003;
-    entropy_end = 0.0003;
-    step_cost = 0.05;
-    arrival_bonus = 3.0;
-    learning_rate = 0.002;
-    critic_learning_rate = 0.005;
-  }
-
   PolicyDescription policy;
   DriveCourseParameters course;
   int iterations = 60;        ///< collect, then update

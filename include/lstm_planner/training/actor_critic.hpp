@@ -13,20 +13,19 @@
 
 namespace lstm_planner {
 
-/// What every actor-critic training needs, whatever the course is. A course has its own defaults. Both learning rates
-/// fall to 0 along half a cosine.
+/// What every actor-critic training needs, whatever the course is. Both learning rates fall to 0 along half a cosine.
 struct ActorCriticParameters {
   std::vector<int> critic_units = {48, 32};
-  int window = 64;         ///< steps; errors go back at most that far
+  int window = 32;         ///< steps; errors go back at most that far
   int max_steps = 300;     ///< of an episode
   double discount = 0.99;  ///< a step
   double advantage_decay = 0.95;
-  double entropy_start = 0.0;  ///< weight of the entropy, changing linearly
-  double entropy_end = 0.0;
-  double step_cost = 0.0;  ///< in the course's unit of length, as the bonus
-  double arrival_bonus = 0.0;
-  double learning_rate = 0.0;
-  double critic_learning_rate = 0.0;
+  double entropy_start = 0.003;  ///< weight of the entropy, changing linearly
+  double entropy_end = 0.0003;
+  double step_cost = 0.05;  ///< in the course's unit of length, as the bonus
+  double arrival_bonus = 3.0;
+  double learning_rate = 0.002;
+  double critic_learning_rate = 0.005;
   double max_gradient_norm = 0.5;
   std::uint64_t seed = 1;
   int threads = 2;                            ///< does not change the result
