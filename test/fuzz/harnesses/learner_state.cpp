@@ -26,29 +26,27 @@ ActorCritic smallActorCritic() {
   return ActorCritic({}, 1, layers, layers, 1);
 }
 
-void restore(int learner, const std::vector<std::uint8_t>& state) {
-  static ActorCritic actor_critic = smallActorCritic();
-  static const auto q_learning = smallLearning();
-  switch (learner % 3) {
-    case 0:
-      imitationStateFrom(state);
-      break;
-    case 1:
-      actor_critic.restore(state);
-      break;
-    default:
-      q_learning->restore(state);
-  }
-}
-
 /// What a checkpoint holds of a learner: '0', '1' or '2' says which; then JSON, which is stored as CBOR, or CBOR
 /// itself.
 void readState(const std::uint8_t* data, std::size_t size) {
+  static ActorCritic actor_critic = smallActorCritic();
+  static const auto q_learning = smallLearning();
   if (size == 0) return;
   std::vector<std::uint8_t> state(data + 1, data + size);
   const nlohmann::json json = nlohmann::json::parse(state, nullptr, false);
   if (!json.is_discarded()) state = nlohmann::json::to_cbor(json);
-  expectRefusal<std::invalid_argument>([&] { restore(data[0] - '0', state); });
+  expectRefusal<std::invalid_argument>([&] {
+    switch ((data[0] - '0') % 3) {
+      case 0:
+        imitationStateFrom(state);
+        break;
+      case 1:
+        actor_critic.restore(state);
+        break;
+      default:
+        q_learning->restore(state);
+    }
+  });
 }
 
 const Registration registration("learner_state", &readState);
