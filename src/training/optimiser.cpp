@@ -1,10 +1,11 @@
 #include "lstm_planner/training/optimiser.hpp"
 
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "lstm_planner/common/parameter_check.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -15,25 +16,14 @@ constexpr double kBeta2 = 0.999;  ///< and of that of squared gradients
 constexpr double kAdamEpsilon = 1e-8;
 constexpr double kAdaDeltaEpsilon = 1e-6;
 
-void require(bool condition, const char* name, double value, const char* expected) {
-  if (condition) return;
-  std::ostringstream message;
-  message << "optimiser parameter " << name << " is " << value << ", expected " << expected;
-  throw std::invalid_argument(message.str());
-}
-
-bool isFiniteAtLeastZero(double value) { return std::isfinite(value) && value >= 0.0; }
-
 }  // namespace
 
 void validate(const OptimiserParameters& parameters) {
-  require(std::isfinite(parameters.learning_rate) && parameters.learning_rate > 0.0, "learning_rate",
-          parameters.learning_rate, "a positive number");
-  require(parameters.momentum >= 0.0 && parameters.momentum < 1.0, "momentum", parameters.momentum,
-          "a number in [0, 1)");
-  require(isFiniteAtLeastZero(parameters.decay_rate), "decay_rate", parameters.decay_rate, "a number of at least 0");
-  require(isFiniteAtLeastZero(parameters.max_gradient_norm), "max_gradient_norm", parameters.max_gradient_norm,
-          "a number of at least 0");
+  checkPositive("learning_rate", parameters.learning_rate);
+  checkParameter(parameters.momentum >= 0.0 && parameters.momentum < 1.0, "momentum", parameters.momentum,
+                 "a number in [0, 1)");
+  checkNotNegative("decay_rate", parameters.decay_rate);
+  checkNotNegative("max_gradient_norm", parameters.max_gradient_norm);
 }
 
 Eigen::VectorXf decayGradient(Decay decay, double decay_rate, const Eigen::VectorXf& parameters,

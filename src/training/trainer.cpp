@@ -72,12 +72,6 @@ class GroupedGradient {
   std::vector<SequenceGradient> workers_;
 };
 
-void requireAtLeastOne(const char* name, int value) {
-  if (value >= 1) return;
-  throw std::invalid_argument(std::string("trainer parameter ") + name + " is " + std::to_string(value) +
-                              ", expected at least 1");
-}
-
 Batch pointersTo(const std::vector<Sequence>& sequences) {
   Batch pointers;
   for (const Sequence& sequence : sequences) pointers.push_back(&sequence);
@@ -237,9 +231,9 @@ const EpochReport& Trainer::runEpoch() { return implementation_->runEpoch(); }
 TrainingResult Trainer::result() const { return implementation_->result(); }
 
 void validate(const TrainerParameters& parameters) {
-  requireAtLeastOne("epochs", parameters.epochs);
-  requireAtLeastOne("batch_size", parameters.batch_size);
-  requireAtLeastOne("threads", parameters.threads);
+  checkAtLeastOne("epochs", parameters.epochs);
+  checkAtLeastOne("batch_size", parameters.batch_size);
+  checkAtLeastOne("threads", parameters.threads);
   checkParameter(parameters.averaging >= 0.0 && parameters.averaging < 1.0, "averaging", parameters.averaging,
                  "a share in [0, 1)");
   validate(parameters.optimiser);
@@ -258,7 +252,7 @@ TrainingResult train(const LayerStack& layers, const std::vector<Sequence>& trai
 }
 
 LossSum evaluate(const LayerStack& layers, const std::vector<Sequence>& sequences, int threads) {
-  requireAtLeastOne("threads", threads);
+  checkAtLeastOne("threads", threads);
   validateLayers(layers);
   validateSequences(sequences, inputSize(layers), outputSize(layers), "evaluation");
   GroupedGradient gradient(layers, TrainerParameters{}.loss, threads, oneProcess());
