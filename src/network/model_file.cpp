@@ -16,7 +16,18 @@ namespace {
 
 constexpr std::uintmax_t kMaximumFileSize = std::uintmax_t{128} << 20;
 
-std::string fileName(const std::string& path) { return "model file " + path + ": "; }
+/// Runs `work`, whose refusals do not name the file.
+template <typename Work>
+auto naming(const std::string& path, const Work& work) {
+  const std::string file = "model file " + path + ": ";
+  try {
+    return work();
+  } catch (const ModelFileError& error) {
+    throw ModelFileError(file + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw ModelFileError(file + error.what());
+  }
+}
 
 std::string readWholeFile(const std::string& path) {
   try {
@@ -104,34 +115,22 @@ void replaceFile(const std::string& path, const std::string& bytes) {
 }  // namespace
 
 Model readModelFile(const std::string& path) {
-  try {
+  return naming(path, [&] {
     Model model = readModel(parsed(path));
     validateLayers(model.layers);
     return model;
-  } catch (const ModelFileError& error) {
-    throw ModelFileError(fileName(path) + error.what());
-  } catch (const std::invalid_argument& error) {
-    throw ModelFileError(fileName(path) + error.what());
-  }
+  });
 }
 
 std::map<std::string, std::string> readModelMetadata(const std::string& path) {
-  try {
-    return readMetadata(parsed(path));
-  } catch (const ModelFileError& error) {
-    throw ModelFileError(fileName(path) + error.what());
-  }
+  return naming(path, [&] { return readMetadata(parsed(path)); });
 }
 
 void writeModelFile(const std::string& path, const Model& model) {
-  try {
+  naming(path, [&] {
     validateLayers(model.layers);
     replaceFile(path, serialise(model));
-  } catch (const ModelFileError& error) {
-    throw ModelFileError(fileName(path) + error.what());
-  } catch (const std::invalid_argument& error) {
-    throw ModelFileError(fileName(path) + error.what());
-  }
+  });
 }
 
 }  // namespace lstm_planner
