@@ -44,34 +44,30 @@ StepActivation stepActivation(Activation activation) {
   return StepActivation::kIdentity;
 }
 
-LayerMatrices matrices(const LstmLayer& layer, int inputs) {
+LayerMatrices matrices(const LstmLayer& layer, int) {
   enum Gate { kInput, kOutput, kForget, kCandidate };  // as LstmLayer has them
   const int cells = static_cast<int>(layer.recurrent.cols());
   const float candidate_factor = layer.candidate == Activation::kSigmoid ? 0.5f : 1.0f;
-  return {{LayerKind::kLstm, stepActivation(layer.candidate), inputs, cells},
+  return {{LayerKind::kLstm, stepActivation(layer.candidate), cells},
           {{kInput, 0.5f}, {kForget, 0.5f}, {kCandidate, candidate_factor}, {kOutput, 0.5f}},
           layer.bias,
           layer.recurrent,
           layer.input};
 }
-LayerMatrices matrices(const RecurrentLayer& layer, int inputs) {
+LayerMatrices matrices(const RecurrentLayer& layer, int) {
   const int units = static_cast<int>(layer.recurrent.cols());
-  return {{LayerKind::kRecurrent, StepActivation::kTanh, inputs, units},
-          {{0, 1.0f}},
-          layer.bias,
-          layer.recurrent,
-          layer.input};
+  return {{LayerKind::kRecurrent, StepActivation::kTanh, units}, {{0, 1.0f}}, layer.bias, layer.recurrent, layer.input};
 }
-LayerMatrices matrices(const DenseLayer& layer, int inputs) {
+LayerMatrices matrices(const DenseLayer& layer, int) {
   const int outputs = static_cast<int>(layer.weights.rows());
-  return {{LayerKind::kDense, stepActivation(layer.activation), inputs, outputs},
+  return {{LayerKind::kDense, stepActivation(layer.activation), outputs},
           {{0, 1.0f}},
           layer.bias,
           MatrixXf(),
           layer.weights};
 }
 LayerMatrices matrices(const SoftmaxLayer&, int inputs) {
-  return {{LayerKind::kSoftmax, StepActivation::kIdentity, inputs, inputs}, {}, VectorXf(), MatrixXf(), MatrixXf()};
+  return {{LayerKind::kSoftmax, StepActivation::kIdentity, inputs}, {}, VectorXf(), MatrixXf(), MatrixXf()};
 }
 
 /// A matrix on its way into memory.

@@ -15,7 +15,6 @@ enum class StepActivation { kIdentity, kTanh, kSigmoid, kRelu };
 struct LayerShape {
   LayerKind kind;
   StepActivation activation;
-  int inputs;
   int units;  ///< cells of an LSTM, outputs of any layer
 };
 
@@ -42,7 +41,7 @@ struct PackedLayer {
 /// Where a layer finds what it works on. Vectors of `units` values lie without gaps; what is read from them in whole
 /// vectors may be followed by anything that is finite.
 struct LayerValues {
-  const float* input;  ///< shape.inputs values
+  const float* input;  ///< one value for each column of the input weights; of a softmax, for each unit
   const float* sums;   ///< what recurrentSums() made; unused by a layer that remembers nothing
   const float* cells;  ///< an LSTM's cell states
   float* next_cells;
