@@ -68,14 +68,12 @@ PackedNetwork::PackedNetwork(const LayerStack& layers, InstructionSet set)
     : PackedNetwork(allMatrices(layers, set), set) {}
 
 PackedNetwork::PackedNetwork(const std::vector<LayerMatrices>& layers, InstructionSet set)
-    : PackedNetwork(layers, allKernels(layers, set), networkKernel(layers, set)) {}
-
-PackedNetwork::PackedNetwork(const std::vector<LayerMatrices>& layers, const std::vector<LayerKernel>& kernels,
-                             NetworkKernel network_kernel)
-    : weights_(layers, kernels), network_kernel_(network_kernel), first_recurrent_(layers.size()) {
+    : weights_(layers, allKernels(layers, set)),
+      network_kernel_(networkKernel(layers, set)),
+      first_recurrent_(layers.size()) {
   for (std::size_t index = 0; index < layers.size(); ++index) {
     const PackedLayer& packed = weights_.layers()[index];
-    layers_.push_back({kernels[index], &packed, hidden_state_size_, 0});
+    layers_.push_back({layerKernel(packed.shape, set), &packed, hidden_state_size_, 0});
     if (packed.input.column_stride > 0 || packed.recurrent.column_stride > 0) network_kernel_ = nullptr;
     if (!remembers(packed)) continue;
     first_recurrent_ = std::min(first_recurrent_, index);

@@ -45,8 +45,6 @@ class PackedNetwork {
   };
 
   PackedNetwork(const std::vector<LayerMatrices>& layers, InstructionSet set);
-  PackedNetwork(const std::vector<LayerMatrices>& layers, const std::vector<LayerKernel>& kernels,
-                NetworkKernel network_kernel);
   bool wholeStep(const float* input, const float* now, float* next, float* output) const;
   void makeRecurrentSums(const Layer& layer, const float* memory, float* next) const;
 
