@@ -25,39 +25,29 @@ std::vector<LayerMatrices> allMatrices(const LayerStack& layers, InstructionSet 
   return matrices;
 }
 
-LayerKernel layerKernel(const LayerShape& shape, InstructionSet set) {
+const StepKernels& stepKernels(InstructionSet set) {
   switch (set) {
 #if defined(__x86_64__)
     case InstructionSet::kAvx512:
-      return avx512LayerKernel(shape);
+      return kStepKernelsAvx512;
     case InstructionSet::kAvx2:
-      return avx2LayerKernel(shape);
+      return kStepKernelsAvx2;
 #endif
     default:
-      return baselineLayerKernel(shape);
+      return kStepKernelsBaseline;
   }
 }
 
 std::vector<LayerKernel> allKernels(const std::vector<LayerMatrices>& layers, InstructionSet set) {
   std::vector<LayerKernel> kernels;
-  for (const LayerMatrices& layer : layers) kernels.push_back(layerKernel(layer.shape, set));
+  for (const LayerMatrices& layer : layers) kernels.push_back(stepKernels(set).ofLayer(layer.shape));
   return kernels;
 }
 
 NetworkKernel networkKernel(const std::vector<LayerMatrices>& layers, InstructionSet set) {
   std::vector<LayerShape> shapes;
   for (const LayerMatrices& layer : layers) shapes.push_back(layer.shape);
-  const int count = static_cast<int>(shapes.size());
-  switch (set) {
-#if defined(__x86_64__)
-    case InstructionSet::kAvx512:
-      return avx512NetworkKernel(shapes.data(), count);
-    case InstructionSet::kAvx2:
-      return avx2NetworkKernel(shapes.data(), count);
-#endif
-    default:
-      return baselineNetworkKernel(shapes.data(), count);
-  }
+  return stepKernels(set).ofNetwork(shapes.data(), static_cast<int>(shapes.size()));
 }
 
 bool remembers(const PackedLayer& layer) { return layer.recurrent.columns > 0; }
@@ -73,7 +63,7 @@ PackedNetwork::PackedNetwork(const std::vector<LayerMatrices>& layers, Instructi
       first_recurrent_(layers.size()) {
   for (std::size_t index = 0; index < layers.size(); ++index) {
     const PackedLayer& packed = weights_.layers()[index];
-    layers_.push_back({layerKernel(packed.shape, set), &packed, hidden_state_size_, 0});
+    layers_.push_back({stepKernels(set).ofLayer(packed.shape), &packed, hidden_state_size_, 0});
     if (packed.input.column_stride > 0 || packed.recurrent.column_stride > 0) network_kernel_ = nullptr;
     if (!remembers(packed)) continue;
     first_recurrent_ = std::min(first_recurrent_, index);

@@ -67,14 +67,15 @@ struct LayerKernel {
 /// columns follow one another without gaps. Only the first recurrent layer has sums. The result is that of advance().
 using NetworkKernel = bool (*)(const PackedLayer* layers, const LayerValues* values);
 
-/// Null for most shapes.
-NetworkKernel baselineNetworkKernel(const LayerShape* shapes, int count);
-LayerKernel baselineLayerKernel(const LayerShape& shape);
+/// The kernels for one instruction set.
+struct StepKernels {
+  LayerKernel (*ofLayer)(const LayerShape& shape);
+  NetworkKernel (*ofNetwork)(const LayerShape* shapes, int count);  ///< null for most shapes
+};
+extern const StepKernels kStepKernelsBaseline;
 #if defined(__x86_64__)
-NetworkKernel avx2NetworkKernel(const LayerShape* shapes, int count);
-NetworkKernel avx512NetworkKernel(const LayerShape* shapes, int count);
-LayerKernel avx2LayerKernel(const LayerShape& shape);
-LayerKernel avx512LayerKernel(const LayerShape& shape);
+extern const StepKernels kStepKernelsAvx2;
+extern const StepKernels kStepKernelsAvx512;
 #endif
 
 /// Blocks in the next tile when `rest` blocks are left: a_tile (a power of two) while there are as many, then less.

@@ -1,5 +1,4 @@
 #if defined(__AVX2__)
-#define LAYER_KERNEL avx2LayerKernel
-#define NETWORK_KERNEL avx2NetworkKernel
+#define STEP_KERNELS kStepKernelsAvx2
 #include "network/step_kernel_source.hpp"
 #endif

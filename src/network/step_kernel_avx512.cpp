@@ -1,5 +1,4 @@
 #if defined(__AVX512F__)
-#define LAYER_KERNEL avx512LayerKernel
-#define NETWORK_KERNEL avx512NetworkKernel
+#define STEP_KERNELS kStepKernelsAvx512
 #include "network/step_kernel_source.hpp"
 #endif

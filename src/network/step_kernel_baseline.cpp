@@ -1,3 +1,2 @@
-#define LAYER_KERNEL baselineLayerKernel
-#define NETWORK_KERNEL baselineNetworkKernel
+#define STEP_KERNELS kStepKernelsBaseline
 #include "network/step_kernel_source.hpp"

@@ -1,11 +1,11 @@
 // Included once by each step_kernel_*.cpp, which are compiled for different instruction sets. Everything but the
-// functions at the end, LAYER_KERNEL and NETWORK_KERNEL, has internal linkage, as simd.hpp explains.
+// table at the end, STEP_KERNELS, has internal linkage, as simd.hpp explains.
 
 #include "network/network_functions.hpp"
 #include "network/step_kernel.hpp"
 
-#if !defined(LAYER_KERNEL) || !defined(NETWORK_KERNEL)
-#error "LAYER_KERNEL and NETWORK_KERNEL name the functions that this file defines"
+#if !defined(STEP_KERNELS)
+#error "STEP_KERNELS names the table that this file defines"
 #endif
 
 namespace lstm_planner {
@@ -278,8 +278,9 @@ LayerKernel layerKernel(const LayerShape& shape) {
 #include "network/lstm_pair_kernel_source.hpp"
 
 namespace lstm_planner {
+namespace {
 
-NetworkKernel NETWORK_KERNEL(const LayerShape* shapes, int count) {
+NetworkKernel networkKernelOf(const LayerShape* shapes, int count) {
 #if defined(__AVX2__)
   if (LstmPair::fits(shapes, count)) return &LstmPair::step;
 #endif
@@ -288,7 +289,7 @@ NetworkKernel NETWORK_KERNEL(const LayerShape* shapes, int count) {
   return nullptr;
 }
 
-LayerKernel LAYER_KERNEL(const LayerShape& shape) {
+LayerKernel layerKernelOf(const LayerShape& shape) {
 #if defined(__AVX512F__)
   if (shape.units > 8) return layerKernel<Floats<16>>(shape);
 #endif
@@ -297,5 +298,9 @@ LayerKernel LAYER_KERNEL(const LayerShape& shape) {
 #endif
   return layerKernel<Floats<4>>(shape);
 }
+
+}  // namespace
+
+const StepKernels STEP_KERNELS = {layerKernelOf, networkKernelOf};
 
 }  // namespace lstm_planner
