@@ -50,8 +50,7 @@ using ConstValues = Eigen::Ref<const VectorXf>;
 }  // namespace
 
 Network::Network(const LayerStack& layers, InstructionSet set, int sequences)
-    : instruction_set_(set),
-      packed_(std::make_shared<const PackedNetwork>(layers, set)),
+    : packed_(std::make_shared<const PackedNetwork>(layers, set)),
       input_size_(lstm_planner::inputSize(layers)),
       weights_(countWeights(layers)),
       output_(VectorXf::Zero(lstm_planner::outputSize(layers))) {

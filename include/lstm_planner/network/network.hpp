@@ -56,15 +56,11 @@ class Network {
   std::size_t stateBytes() const;                   ///< of all sequences: all that a copy does not share
   int outputSize() const { return static_cast<int>(output_.size()); }
 
-  /// The instruction set of the kernels that run the network.
-  InstructionSet instructionSet() const { return instruction_set_; }
-
  private:
   std::size_t placeOf(int sequence) const;
   const float* memory(std::size_t place) const;
   float* memory(std::size_t place);
 
-  InstructionSet instruction_set_;
   std::shared_ptr<const PackedNetwork> packed_;
   std::vector<CacheLine> memories_;  ///< one more than there are sequences: the next step's
   std::vector<std::size_t> places_;  ///< where each sequence's memory starts, in lines; the last one is the next step's

@@ -45,10 +45,6 @@ class NetworkKernels : public testing::TestWithParam<InstructionSet> {
   }
 };
 
-TEST_P(NetworkKernels, AreTheOnesAskedFor) {
-  EXPECT_EQ(Network(LayerMaker(1).thesisNet(), GetParam()).instructionSet(), GetParam());
-}
-
 TEST_P(NetworkKernels, TwoLstmsOfAnySizeEqualTheReference) {
   for (const int cells : {1, 3, 5, 8, 16, 24, 32, 33, 48, 64, 100}) {
     LayerMaker make(static_cast<unsigned>(cells));
