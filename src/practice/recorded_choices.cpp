@@ -96,11 +96,11 @@ void forEachRecordedEpisode(const Dataset& dataset, const PolicyDescription& pol
   }
 }
 
-ConfusionMatrix preferencesIn(const Dataset& dataset, DrivePolicy policy, double label_distance) {
+ConfusionMatrix preferencesIn(const Dataset& dataset, DrivePolicy policy) {
   const int actions = policy.description().actions.size();
   ConfusionMatrix taken = ConfusionMatrix::Zero(actions, actions);
   const PolicyDescription description = policy.description();
-  forEachRecordedEpisode(dataset, description, label_distance, [&](const std::vector<RecordedChoice>& episode) {
+  forEachRecordedEpisode(dataset, description, 0.0, [&](const std::vector<RecordedChoice>& episode) {
     policy.reset();
     for (const RecordedChoice& choice : episode) {
       Eigen::Index preferred = 0;

@@ -26,8 +26,8 @@ struct RecordedChoice {
 void forEachRecordedEpisode(const Dataset& dataset, const PolicyDescription& policy, double label_distance,
                             const std::function<void(const std::vector<RecordedChoice>&)>& look);
 
-/// What the network prefers at each step of the drives, whatever it would have come to by itself: a row a label, a
-/// column a preference. Throws as forEachRecordedEpisode().
-ConfusionMatrix preferencesIn(const Dataset& dataset, DrivePolicy policy, double label_distance = 0.0);
+/// What the network prefers at each step of the drives, whatever it would have come to by itself: a row a label as it
+/// was recorded, a column a preference. Throws as forEachRecordedEpisode().
+ConfusionMatrix preferencesIn(const Dataset& dataset, DrivePolicy policy);
 
 }  // namespace lstm_planner
