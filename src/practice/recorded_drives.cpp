@@ -16,6 +16,9 @@ namespace lstm_planner {
 namespace {
 
 const char* const kMapFrame = "map";
+constexpr double kPeriod = 0.1;  ///< s between odometry messages, scans, commands; with more the driver brakes too late
+constexpr double kScanOffset = 0.04;  ///< s from an odometry message to the scan after it
+constexpr double kTimeLimit = 300.0;  ///< s for a goal, after which the driver turns to the next
 constexpr int kMostFutileGoals = 20;  // in a row without a step
 
 /// Passes steps on, as many as are wanted (0: all), and counts them.
@@ -86,7 +89,7 @@ class DriveRecording {
     driver_.setGoal(goal);
     const double start = robot_.time();
     while (driver_.state() == ScriptedDriver::State::kDriving && !sink_.isFull()) {
-      if (robot_.time() - start > parameters_.time_limit) break;
+      if (robot_.time() - start > kTimeLimit) break;
       drive();
     }
     result_.no_path += driver_.state() == ScriptedDriver::State::kNoPath ? 1 : 0;
@@ -114,10 +117,10 @@ class DriveRecording {
     rememberMap();
     recorder_.add(OdometryHeard{robot_.time(), robot_.odometry(), robot_.measuredTwist()});
     robot_.command(driver_.command(robot_.truePose(), robot_.time()));
-    robot_.advance(parameters_.scan_offset);
+    robot_.advance(kScanOffset);
     robot_.scan(&scan_);
     recorder_.add(ScanHeard{robot_.time(), scan_, parameters_.robot.scanner.mount, "laser"});
-    robot_.advance(parameters_.period - parameters_.scan_offset);
+    robot_.advance(kPeriod - kScanOffset);
   }
 
   const std::vector<Point2>& waypoints_;
@@ -180,15 +183,10 @@ std::vector<Point2> drawWaypoints(const GridWorld& world, int count, double radi
 void validate(const RecordedDrivesParameters& parameters) {
   validate(parameters.driver);
   validate(parameters.recorder);
-  checkPositive("period", parameters.period);
-  checkParameter(parameters.period <= 0.1, "period", parameters.period, "at most 0.1 s, or the driver brakes too late");
-  checkParameter(parameters.scan_offset >= 0.0 && parameters.scan_offset < parameters.period, "scan_offset",
-                 parameters.scan_offset, "a time in [0, period) s");
   checkNotNegative("steps", static_cast<double>(parameters.steps));
   checkNotNegative("goals", static_cast<double>(parameters.goals));
   checkParameter(parameters.steps > 0 || parameters.goals > 0, "goals", static_cast<double>(parameters.goals),
                  "a positive number where steps is 0");
-  checkRange("time_limit", parameters.time_limit, 0.1, 1e6);
 }
 
 RecordedDrives recordDrives(const GridWorld& world, const std::vector<Point2>& waypoints,

@@ -21,11 +21,8 @@ struct RecordedDrivesParameters {
   SimulatedRobot::Parameters robot;
   ScriptedDriverParameters driver;
   RecorderParameters recorder;
-  double period = 0.1;        ///< s between odometry messages, between scans, and between commands
-  double scan_offset = 0.04;  ///< s from an odometry message to the scan after it; less than the period
-  long steps = 1000;          ///< labelled steps to record; 0: no limit
-  long goals = 0;             ///< goals to drive to; 0: no limit. At least one of the two is needed
-  double time_limit = 300.0;  ///< s for a goal, after which the driver turns to the next
+  long steps = 1000;  ///< labelled steps to record; 0: no limit
+  long goals = 0;     ///< goals to drive to; 0: no limit. At least one of the two is needed
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
