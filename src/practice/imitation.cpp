@@ -23,6 +23,11 @@ namespace {
 
 /// m; a learner that comes less near to the goal than that makes no progress.
 constexpr double kNearer = 0.1;
+constexpr int kStuckSteps = 24;   ///< without progress, after which the teacher takes the wheel
+constexpr int kRescueSteps = 16;  ///< and for how long
+
+constexpr int kSequenceSteps = 96;  ///< length of a training sequence
+constexpr int kBurnInSteps = 32;    ///< of these, steps that only bring the hidden state up to date
 
 /// One drive as the learner saw it.
 struct LabelledEpisode {
@@ -50,7 +55,7 @@ LabelledEpisode driveEpisode(const DriveExercise& exercise, const DriveTask& tas
   NavigationAgent agent(DrivePolicy(policy, layers), practiceAgent(policy));
   StepSimulator drive(*exercise.world, task, conditions, random());
   LabelledEpisode episode;
-  TeacherRescue rescue(kNearer, parameters.stuck_steps, parameters.rescue_steps);
+  TeacherRescue rescue(kNearer, kStuckSteps, kRescueSteps);
   agent.setStepListener([&](const Situation&, const Observation& observation) -> std::optional<int> {
     const Pose2& pose = drive.truePose();
     double direction = 0.0;
@@ -191,7 +196,7 @@ class DriveImitationCourse : public ImitationCourse {
 
   std::vector<Sequence> cut(const std::vector<LabelledEpisode>& episodes) const {
     const Encoder encoder(parameters_.policy.encoder);
-    const SequenceCut pieces = overlappingPieces(parameters_.sequence_steps, parameters_.burn_in_steps);
+    const SequenceCut pieces = overlappingPieces(kSequenceSteps, kBurnInSteps);
     std::vector<Sequence> sequences;
     for (const LabelledEpisode& episode : episodes) cutIntoPieces(toSequence(episode, encoder), pieces, &sequences);
     return sequences;
@@ -211,9 +216,6 @@ void validate(const ImitationParameters& parameters) {
   checkParameter(parameters.validation_worlds > 0, "validation_worlds", parameters.validation_worlds,
                  "a positive number");
   checkParameter(parameters.max_steps > 0, "max_steps", parameters.max_steps, "a positive number");
-  checkParameter(parameters.burn_in_steps >= 0, "burn_in_steps", parameters.burn_in_steps, "zero or more");
-  checkParameter(parameters.sequence_steps > parameters.burn_in_steps, "sequence_steps", parameters.sequence_steps,
-                 "more than burn_in_steps");
   checkParameter(parameters.threads > 0, "threads", parameters.threads, "a positive number");
   validate(parameters.policy.encoder);
   checkParameter(parameters.policy.encoder.views == 1, "views", parameters.policy.encoder.views,

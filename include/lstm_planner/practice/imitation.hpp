@@ -27,11 +27,7 @@ struct ImitationParameters {
   int starts = 2;              ///< drives to a goal
   int validation_worlds = 60;  ///< worlds that are never trained on
   double learner_share = 0.8;  ///< share of drives with the learner at the wheel, from the second round on
-  int stuck_steps = 24;        ///< steps without progress after which the teacher takes the wheel
-  int rescue_steps = 16;       ///< and for how long
   int max_steps = 300;         ///< of a drive
-  int sequence_steps = 96;     ///< length of a training sequence
-  int burn_in_steps = 32;      ///< of these, steps that only bring the hidden state up to date
   std::uint64_t seed = 1;
   int threads = 2;
   TrainerParameters trainer;  ///< for each round
