@@ -25,11 +25,6 @@ void requireSymmetric(const std::vector<double>& actions) {
 
 Pose2 mirrored(const Pose2& pose) { return {pose.x, -pose.y, -pose.yaw}; }
 
-Pose2 turned(const Pose2& pose, double angle) {
-  const Point2 place = toParentFrame({0.0, 0.0, angle}, {pose.x, pose.y});
-  return {place.x, place.y, normalizeAngle(pose.yaw + angle)};
-}
-
 void mirror(DriveStep* step, int actions) {
   step->pose = mirrored(step->pose);
   step->next_pose = mirrored(step->next_pose);
@@ -57,10 +52,11 @@ RecordedEpisode mirrored(RecordedEpisode episode, const std::vector<double>& act
 }
 
 RecordedEpisode turned(RecordedEpisode episode, double angle) {
+  const Pose2 turn{0.0, 0.0, angle};
   for (DriveStep& step : episode.steps) {
-    step.pose = turned(step.pose, angle);
-    step.next_pose = turned(step.next_pose, angle);
-    step.goal = toParentFrame({0.0, 0.0, angle}, step.goal);
+    step.pose = compose(turn, step.pose);
+    step.next_pose = compose(turn, step.next_pose);
+    step.goal = toParentFrame(turn, step.goal);
     step.observation.heading = normalizeAngle(step.observation.heading + angle);
   }
   return episode;

@@ -107,11 +107,7 @@ class DriveRecording {
     return maps_.front().second;
   }
 
-  void rememberMap() {
-    const Pose2& odometry = robot_.odometry();
-    const Point2 origin = toParentFrame(odometry, toLocalFrame(robot_.truePose(), Point2()));
-    maps_.push_back({robot_.time(), {origin.x, origin.y, normalizeAngle(odometry.yaw - robot_.truePose().yaw)}});
-  }
+  void rememberMap() { maps_.push_back({robot_.time(), compose(robot_.odometry(), inverse(robot_.truePose()))}); }
 
   void drive() {
     rememberMap();
