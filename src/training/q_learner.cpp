@@ -9,7 +9,6 @@
 #include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/common/parameter_visitors.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
-#include "lstm_planner/training/q_learning_targets.hpp"
 #include "training/checkpoint_json.hpp"
 
 namespace lstm_planner {
@@ -61,8 +60,10 @@ QLearner::QLearner(const QLearningParameters& parameters, int updates, const Lay
 double QLearner::progress() const { return std::min(1.0, static_cast<double>(updates_) / last_update_); }
 
 double QLearner::epsilon() const {
-  return explorationAt(progress(), parameters_.exploration_start, parameters_.exploration_end,
-                       parameters_.exploration_share);
+  const double start = parameters_.exploration_start;
+  const double end = parameters_.exploration_end;
+  const double share = parameters_.exploration_share;
+  return progress() >= share ? end : start + (end - start) * progress() / share;
 }
 
 void QLearner::startUpdate() {

@@ -19,8 +19,4 @@ std::vector<double> lambdaTargets(const std::vector<QTransition>& steps, double 
 
 double huberDerivative(double error, double huber) { return std::clamp(error, -huber, huber); }
 
-double explorationAt(double progress, double start, double end, double share) {
-  return progress >= share ? end : start + (end - start) * progress / share;
-}
-
 }  // namespace lstm_planner

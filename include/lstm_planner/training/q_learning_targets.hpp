@@ -25,8 +25,4 @@ std::vector<double> lambdaTargets(const std::vector<QTransition>& steps, double 
 /// Derivative of Huber's loss of estimate - target: the error, no larger than `huber`.
 double huberDerivative(double error, double huber);
 
-/// Share of moves at random, sinking linearly from `start` to `end` at `share` of the training, `progress` of which is
-/// done.
-double explorationAt(double progress, double start, double end, double share);
-
 }  // namespace lstm_planner

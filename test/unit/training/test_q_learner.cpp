@@ -10,11 +10,13 @@
 namespace lstm_planner::test_q_learner {
 namespace {
 
-QLearner learner(int units = 4) {
+QLearner learner(int units = 4, double exploration_share = 0.5) {
   LayerStack layers = makeDenseStack(3, {units}, 2);
   initialise({}, 1, layers);
   QLearningParameters parameters;
   parameters.target_interval = 2;
+  parameters.exploration_end = 0.2;
+  parameters.exploration_share = exploration_share;
   parameters.learning_rate = 0.01;
   parameters.max_gradient_norm = 0.0;  // none
   return {parameters, 10, layers};
@@ -37,6 +39,16 @@ TEST(QLearner, TheTargetNetworkFollowsAtItsInterval) {
   const Eigen::VectorXf after_two = it.weights();
   learn(&it);
   EXPECT_EQ(it.targetWeights(), after_two);
+}
+
+TEST(QLearner, ExplorationSinksLinearlyAndStaysThere) {
+  QLearner it = learner();
+  EXPECT_DOUBLE_EQ(it.epsilon(), 1.0);
+  for (int update = 0; update < 2; ++update) learn(&it);
+  EXPECT_DOUBLE_EQ(it.epsilon(), 0.68);
+  for (int update = 0; update < 5; ++update) learn(&it);
+  EXPECT_DOUBLE_EQ(it.epsilon(), 0.2);
+  EXPECT_DOUBLE_EQ(learner(4, 0.0).epsilon(), 0.2);
 }
 
 TEST(QLearner, GoesOnFromItsCheckpointAsIfThereHadBeenNoBreak) {

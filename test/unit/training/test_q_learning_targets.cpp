@@ -51,13 +51,6 @@ TEST(QTargets, LearnNothingFromTheStepAtWhichAnEpisodeIsCutOff) {
   EXPECT_DOUBLE_EQ(targets[0], 1.0 + 0.5 * 4.0);
 }
 
-TEST(QTargets, ExplorationSinksLinearlyAndStaysThere) {
-  EXPECT_DOUBLE_EQ(explorationAt(0.0, 1.0, 0.2, 0.5), 1.0);
-  EXPECT_DOUBLE_EQ(explorationAt(0.25, 1.0, 0.2, 0.5), 0.6);
-  EXPECT_DOUBLE_EQ(explorationAt(0.7, 1.0, 0.2, 0.5), 0.2);
-  EXPECT_DOUBLE_EQ(explorationAt(0.0, 1.0, 0.2, 0.0), 0.2);
-}
-
 TEST(QTargets, HuberDerivativeIsTheErrorUpToItsLimit) {
   EXPECT_DOUBLE_EQ(huberDerivative(-1.5, 2.0), -1.5);
   EXPECT_DOUBLE_EQ(huberDerivative(7.0, 2.0), 2.0);
