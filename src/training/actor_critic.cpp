@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <climits>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -48,19 +47,16 @@ ActorCritic::ActorCritic(const ActorCriticParameters& parameters, int updates, c
 
 double ActorCritic::progress() const { return std::min(1.0, static_cast<double>(updates_) / last_update_); }
 
-double ActorCritic::rate() const { return 0.5 * (1.0 + std::cos(M_PI * progress())); }
-
 double ActorCritic::entropyWeight() const {
   return parameters_.entropy_start + (parameters_.entropy_end - parameters_.entropy_start) * progress();
 }
 
 void ActorCritic::updatePolicy(const Eigen::VectorXf& gradient, double steps) {
-  policy_optimiser_.update(gradient * static_cast<float>(1.0 / steps), parameters_.learning_rate * rate(), policy_);
+  policy_optimiser_.update(gradient * static_cast<float>(1.0 / steps), progress(), policy_);
 }
 
 void ActorCritic::updateCritic(const Eigen::VectorXf& gradient, double steps) {
-  critic_optimiser_.update(gradient * static_cast<float>(1.0 / steps), parameters_.critic_learning_rate * rate(),
-                           critic_);
+  critic_optimiser_.update(gradient * static_cast<float>(1.0 / steps), progress(), critic_);
 }
 
 void ActorCritic::finishUpdate(double steps) {

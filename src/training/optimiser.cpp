@@ -52,12 +52,6 @@ double clipToNorm(double max_norm, Eigen::VectorXf& gradient) {
   return norm;
 }
 
-double learningRate(const OptimiserParameters& parameters, long step, long steps) {
-  if (parameters.schedule == LearningRateSchedule::kConstant) return parameters.learning_rate;
-  const double progress = static_cast<double>(step) / static_cast<double>(steps);
-  return parameters.learning_rate * 0.5 * (1.0 + std::cos(M_PI * progress));
-}
-
 Optimiser::Optimiser(const OptimiserParameters& parameters, Eigen::VectorXf mask)
     : parameters_(parameters), mask_(std::move(mask)) {
   validate(parameters_);
@@ -65,17 +59,22 @@ Optimiser::Optimiser(const OptimiserParameters& parameters, Eigen::VectorXf mask
   state_.squared_average.setZero(mask_.size());
 }
 
-void Optimiser::update(Eigen::VectorXf gradient, double learning_rate, Eigen::VectorXf& parameters) {
+double Optimiser::rate(double progress) const {
+  if (parameters_.schedule == LearningRateSchedule::kConstant) return parameters_.learning_rate;
+  return parameters_.learning_rate * 0.5 * (1.0 + std::cos(M_PI * progress));
+}
+
+void Optimiser::update(Eigen::VectorXf gradient, double progress, Eigen::VectorXf& parameters) {
   clipToNorm(parameters_.max_gradient_norm, gradient);
   gradient += decayGradient(parameters_.decay, parameters_.decay_rate, parameters, mask_);
   ++state_.updates;
   switch (parameters_.kind) {
     case OptimiserKind::kMomentum:
-      return updateByMomentum(gradient, learning_rate, parameters);
+      return updateByMomentum(gradient, rate(progress), parameters);
     case OptimiserKind::kAdam:
-      return updateByAdam(gradient, learning_rate, parameters);
+      return updateByAdam(gradient, rate(progress), parameters);
     case OptimiserKind::kAdaDelta:
-      return updateByAdaDelta(gradient, learning_rate, parameters);
+      return updateByAdaDelta(gradient, rate(progress), parameters);
   }
 }
 

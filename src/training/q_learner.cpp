@@ -70,9 +70,7 @@ void QLearner::startUpdate() {
   if (updates_ % parameters_.target_interval == 0) target_weights_ = weights_;
 }
 
-void QLearner::update(const Eigen::VectorXf& gradient) {
-  optimiser_.update(gradient, parameters_.learning_rate * 0.5 * (1.0 + std::cos(M_PI * progress())), weights_);
-}
+void QLearner::update(const Eigen::VectorXf& gradient) { optimiser_.update(gradient, progress(), weights_); }
 
 void QLearner::finishUpdate(double steps) {
   ++updates_;

@@ -188,12 +188,13 @@ class Trainer::Implementation {
     for (const Batch& batch : batches) {
       const LossSum sum = gradient_.loss(weights_, batch, &mean_gradient_);
       requireFinite(sum, "training", epoch);
-      report.learning_rate = learningRate(parameters_.optimiser, update_++, updates);
+      const double progress = static_cast<double>(update_++) / static_cast<double>(updates);
+      report.learning_rate = optimiser_.rate(progress);
       report.training += sum;
       report.mean_batch_accuracy += sum.accuracy() / static_cast<double>(batches.size());
       if (sum.weight <= 0.0) continue;
       mean_gradient_ *= static_cast<float>(1.0 / sum.weight);
-      optimiser_.update(mean_gradient_, report.learning_rate, weights_);
+      optimiser_.update(mean_gradient_, progress, weights_);
       if (averages()) average();
     }
     report.validation = gradient_.loss(weights_, validation_);

@@ -86,7 +86,6 @@ class ActorCritic {
 
  private:
   double progress() const;
-  double rate() const;
 
   ActorCriticParameters parameters_;
   int last_update_;

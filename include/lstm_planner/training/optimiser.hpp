@@ -50,18 +50,19 @@ Eigen::VectorXf decayGradient(Decay decay, double decay_rate, const Eigen::Vecto
 /// Shortens the gradient to `max_norm` when it is longer (0: never). Returns its length before.
 double clipToNorm(double max_norm, Eigen::VectorXf& gradient);
 
-/// Learning rate of update `step` in [0, steps).
-double learningRate(const OptimiserParameters& parameters, long step, long steps);
-
 /// Turns gradients into updates of one parameter vector; its velocities or moments start at zero.
 class Optimiser {
  public:
   /// `mask` as of weightMask(). Throws std::invalid_argument (validate).
   Optimiser(const OptimiserParameters& parameters, Eigen::VectorXf mask);
 
-  /// One update. `gradient` is that of the mean error, without decay. Clips, adds the decay, moves `parameters`.
+  /// The learning rate when that share of the training is done.
+  double rate(double progress) const;
+
+  /// One update, when that share of the training is done. `gradient` is that of the mean error, without decay. Clips,
+  /// adds the decay, moves `parameters`.
   /// Momentum: v' = mu v - alpha gradient, w' = w + v' (thesis Eq. 3.14 prints w' for w).
-  void update(Eigen::VectorXf gradient, double learning_rate, Eigen::VectorXf& parameters);
+  void update(Eigen::VectorXf gradient, double progress, Eigen::VectorXf& parameters);
 
   /// What the next update depends on besides its arguments.
   struct State {

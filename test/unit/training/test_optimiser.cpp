@@ -15,8 +15,12 @@ Eigen::VectorXf vector(std::initializer_list<float> values) {
   return result;
 }
 
-OptimiserParameters momentumParameters() {
+/// At the start of a training the rate is that of the parameters.
+constexpr double kStart = 0.0;
+
+OptimiserParameters momentumParameters(double learning_rate) {
   OptimiserParameters parameters;
+  parameters.learning_rate = learning_rate;
   parameters.kind = OptimiserKind::kMomentum;
   parameters.momentum = 0.5;
   parameters.max_gradient_norm = 0.0;
@@ -24,24 +28,25 @@ OptimiserParameters momentumParameters() {
 }
 
 TEST(Optimiser, MomentumFollowsTheThesis) {
-  Optimiser optimiser(momentumParameters(), vector({1, 1}));
+  Optimiser optimiser(momentumParameters(0.25), vector({1, 1}));
   Eigen::VectorXf weights = vector({1, -2});
-  optimiser.update(vector({2, 4}), 0.25, weights);
+  optimiser.update(vector({2, 4}), kStart, weights);
   EXPECT_EQ(weights, vector({0.5f, -3.0f}));  // v = -0.25 * g = (-0.5, -1)
-  optimiser.update(vector({2, 0}), 0.25, weights);
+  optimiser.update(vector({2, 0}), kStart, weights);
   EXPECT_EQ(weights, vector({-0.25f, -3.5f}));  // v = 0.5 v - 0.25 g = (-0.75, -0.5)
 }
 
 TEST(Optimiser, AdamFollowsTheHandCalculation) {
   OptimiserParameters parameters;
+  parameters.learning_rate = 0.1;
   parameters.max_gradient_norm = 0.0;
   Optimiser optimiser(parameters, vector({1, 1}));
   Eigen::VectorXf weights = vector({1, 1});
-  optimiser.update(vector({0.5f, -8.0f}), 0.1, weights);
+  optimiser.update(vector({0.5f, -8.0f}), kStart, weights);
   // The first step is alpha * g / (|g| + epsilon), whatever the size of the gradient.
   EXPECT_NEAR(weights[0], 0.9, 1e-6);
   EXPECT_NEAR(weights[1], 1.1, 1e-6);
-  optimiser.update(vector({-0.5f, -8.0f}), 0.1, weights);
+  optimiser.update(vector({-0.5f, -8.0f}), kStart, weights);
   // Means 0.9 * 0.05 - 0.05 = -0.005 and 0.999 * 0.00025 + 0.00025, corrected by 1 - 0.9^2 and 1 - 0.999^2:
   // -0.0263158 / 0.5.
   EXPECT_NEAR(weights[0], 0.9 + 0.1 * 0.0263158 / 0.5, 1e-6);
@@ -51,14 +56,15 @@ TEST(Optimiser, AdamFollowsTheHandCalculation) {
 TEST(Optimiser, AdaDeltaFollowsTheHandCalculation) {
   OptimiserParameters parameters;
   parameters.kind = OptimiserKind::kAdaDelta;
+  parameters.learning_rate = 500.0;
   parameters.momentum = 0.75;
   parameters.max_gradient_norm = 0.0;
   Optimiser optimiser(parameters, vector({1}));
   Eigen::VectorXf weights = vector({1});
-  optimiser.update(vector({2}), 500.0, weights);
+  optimiser.update(vector({2}), kStart, weights);
   // Squared gradients 0.25 * 4 = 1; update 2 sqrt(1e-6 / 1) = 0.002; squared updates 0.25 * 4e-6 = 1e-6.
   EXPECT_NEAR(weights[0], 1.0 - 500.0 * 0.002, 1e-5);
-  optimiser.update(vector({-2}), 500.0, weights);
+  optimiser.update(vector({-2}), kStart, weights);
   // Squared gradients 0.75 + 1 = 1.75; update -2 sqrt((1e-6 + 1e-6) / 1.75).
   EXPECT_NEAR(weights[0], 500.0 * 2.0 * std::sqrt(2e-6 / 1.75), 1e-5);
 }
@@ -95,12 +101,12 @@ TEST(Optimiser, NormDecayOfZeroWeightsIsZero) {
 }
 
 TEST(Optimiser, UpdateAddsTheDecay) {
-  OptimiserParameters parameters = momentumParameters();
+  OptimiserParameters parameters = momentumParameters(0.5);
   parameters.decay = Decay::kL1;
   parameters.decay_rate = 0.5;
   Optimiser optimiser(parameters, vector({1, 1, 0}));
   Eigen::VectorXf weights = vector({1, -1, 1});
-  optimiser.update(vector({0, 0, 0}), 0.5, weights);
+  optimiser.update(vector({0, 0, 0}), kStart, weights);
   EXPECT_EQ(weights, vector({0.75f, -0.75f, 1}));
 }
 
@@ -118,11 +124,12 @@ TEST(Optimiser, LongGradientsAreShortenedAndShortOnesKept) {
 TEST(Optimiser, CosineScheduleFallsFromTheLearningRateToZero) {
   OptimiserParameters parameters;
   parameters.learning_rate = 0.2;
-  EXPECT_DOUBLE_EQ(learningRate(parameters, 0, 100), 0.2);
-  EXPECT_NEAR(learningRate(parameters, 50, 100), 0.1, 1e-12);
-  EXPECT_NEAR(learningRate(parameters, 100, 100), 0.0, 1e-12);
+  const Optimiser optimiser(parameters, {});
+  EXPECT_DOUBLE_EQ(optimiser.rate(0.0), 0.2);
+  EXPECT_NEAR(optimiser.rate(0.5), 0.1, 1e-12);
+  EXPECT_NEAR(optimiser.rate(1.0), 0.0, 1e-12);
   parameters.schedule = LearningRateSchedule::kConstant;
-  EXPECT_DOUBLE_EQ(learningRate(parameters, 99, 100), 0.2);
+  EXPECT_DOUBLE_EQ(Optimiser(parameters, {}).rate(0.99), 0.2);
 }
 
 TEST(Optimiser, RefusesParametersOutOfRange) {
