@@ -65,7 +65,7 @@ std::vector<DriveExercise> makeDriveExercises(const DriveCourseParameters& param
     exercise.kind = kind;
     exercise.world = world;
     const Point2 goal = world->grid().centerOf(standing[uniformIndex(random, standing.size())]);
-    exercise.teacher = std::make_unique<const Teacher>(*world, goal, Teacher::Parameters());
+    exercise.teacher = std::make_unique<const Teacher>(*world, goal);
     if (drawStarts(parameters, standing, starts, random, goal, &exercise)) exercises.push_back(std::move(exercise));
   }
   return exercises;

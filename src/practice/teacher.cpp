@@ -7,18 +7,20 @@ namespace lstm_planner {
 
 namespace {
 
-GeodesicField makeField(const GridWorld& world, const Point2& goal, const Teacher::Parameters& parameters) {
+GeodesicField makeField(const GridWorld& world, const Point2& goal) {
+  constexpr double kLeastClearance = 0.1;  // m between the footprint and walls
+  constexpr double kComfort = 0.5;         // m; nearer to walls than this the path costs more
+  constexpr double kReluctance = 1.5;      // how much more: see GeodesicField
   GeodesicField::Options options;
-  options.clearance = parameters.footprint_radius + parameters.clearance;
-  options.comfort = parameters.footprint_radius + parameters.comfort;
-  options.reluctance = parameters.reluctance;
+  options.clearance = kPracticeRadius + kLeastClearance;
+  options.comfort = kPracticeRadius + kComfort;
+  options.reluctance = kReluctance;
   return GeodesicField(world.grid(), world.distances(), world.grid().cellAt(goal), options);
 }
 
 }  // namespace
 
-Teacher::Teacher(const GridWorld& world, const Point2& goal, const Parameters& parameters)
-    : world_(world), parameters_(parameters), field_(makeField(world, goal, parameters)) {}
+Teacher::Teacher(const GridWorld& world, const Point2& goal) : world_(world), field_(makeField(world, goal)) {}
 
 CellIndex Teacher::startOfPath(const Point2& position) const {
   const CellIndex here = world_.grid().cellAt(position);
@@ -42,11 +44,12 @@ CellIndex Teacher::startOfPath(const Point2& position) const {
 }
 
 bool Teacher::direction(const Point2& position, double* direction) const {
+  constexpr double kLookahead = 0.5;  // m along the path to the point that is steered for; about one step
   CellIndex cell = startOfPath(position);
   if (!std::isfinite(field_.at(cell))) {
     return false;
   }
-  while (distanceBetween(position, world_.grid().centerOf(cell)) < parameters_.lookahead) {
+  while (distanceBetween(position, world_.grid().centerOf(cell)) < kLookahead) {
     CellIndex next = cell;
     for (int row = cell.row - 1; row <= cell.row + 1; ++row) {
       for (int column = cell.column - 1; column <= cell.column + 1; ++column) {

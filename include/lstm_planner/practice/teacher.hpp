@@ -12,17 +12,8 @@ constexpr double kPracticeRadius = 0.17425;
 /// A planner that knows the whole map: says which steering angle leads along the shortest comfortable path to the goal.
 class Teacher {
  public:
-  /// What the teacher keeps away from, and how far it looks ahead.
-  struct Parameters {
-    double footprint_radius = kPracticeRadius;  ///< m
-    double clearance = 0.1;                     ///< m between the footprint and walls, at the least
-    double comfort = 0.5;                       ///< m; nearer to walls than this the path costs more
-    double reluctance = 1.5;                    ///< how much more: see GeodesicField
-    double lookahead = 0.5;                     ///< m along the path to the point that is steered for; about one step
-  };
-
   /// `world` must outlive the teacher; the goal is in the world frame.
-  Teacher(const GridWorld& world, const Point2& goal, const Parameters& parameters);
+  Teacher(const GridWorld& world, const Point2& goal);
 
   /// Direction (rad, world frame) of the path from a position; false when there is no path from there.
   bool direction(const Point2& position, double* direction) const;
@@ -34,7 +25,6 @@ class Teacher {
   CellIndex startOfPath(const Point2& position) const;
 
   const GridWorld& world_;
-  Parameters parameters_;
   GeodesicField field_;
 };
 

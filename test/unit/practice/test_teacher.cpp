@@ -18,19 +18,19 @@ OccupancyGrid hallWithDoor() {
 
 TEST(Teacher, PointsStraightAlongACorridor) {
   const GridWorld world(test::emptyHall(8.0, 1.4));
-  const Teacher teacher(world, {7.0, 0.7}, {});
+  const Teacher teacher(world, {7.0, 0.7});
   double direction = 0.0;
   ASSERT_TRUE(teacher.direction({1.0, 0.7}, &direction));
   // Cells are 5 cm: at the end of 0.5 m the path may lie one cell aside.
   EXPECT_NEAR(direction, 0.0, 0.1);
-  const Teacher back(world, {1.0, 0.7}, {});
+  const Teacher back(world, {1.0, 0.7});
   ASSERT_TRUE(back.direction({7.0, 0.7}, &direction));
   EXPECT_NEAR(std::abs(direction), M_PI, 0.1);
 }
 
 TEST(Teacher, LeadsToTheDoorNotToTheGoal) {
   const GridWorld world(hallWithDoor());
-  const Teacher teacher(world, {6.0, 1.0}, {});
+  const Teacher teacher(world, {6.0, 1.0});
   double direction = 0.0;
   ASSERT_TRUE(teacher.direction({3.3, 1.0}, &direction));
   EXPECT_GT(direction, degreesToRadians(45.0));  // up along the wall, the goal is straight ahead
@@ -43,7 +43,7 @@ TEST(Teacher, LeadsToTheDoorNotToTheGoal) {
 TEST(Teacher, FollowingItArrives) {
   const GridWorld world(hallWithDoor());
   const Point2 goal{6.0, 1.0};
-  const Teacher teacher(world, goal, {});
+  const Teacher teacher(world, goal);
   Point2 at{2.0, 1.0};
   double driven = 0.0;
   while (distanceBetween(at, goal) > 0.2 && driven < 20.0) {
@@ -60,9 +60,7 @@ TEST(Teacher, FollowingItArrives) {
 
 TEST(Teacher, DistanceToGoFallsByThePathDriven) {
   const GridWorld world(test::emptyHall(8.0, 4.0));
-  Teacher::Parameters parameters;
-  parameters.reluctance = 0.0;  // pure length
-  const Teacher teacher(world, {7.025, 2.025}, parameters);
+  const Teacher teacher(world, {7.025, 2.025});  // far from all walls, where the path costs its length
   EXPECT_NEAR(teacher.distanceToGo({7.025, 2.025}), 0.0, 1e-6);
   EXPECT_NEAR(teacher.distanceToGo({3.025, 2.025}), 4.0, 1e-4);
   EXPECT_NEAR(teacher.distanceToGo({5.025, 2.025}), 2.0, 1e-4);
@@ -70,7 +68,7 @@ TEST(Teacher, DistanceToGoFallsByThePathDriven) {
 
 TEST(Teacher, KnowsThePathFromAPlaceTooNearToAWall) {
   const GridWorld world(test::emptyHall(8.0, 4.0));
-  const Teacher teacher(world, {7.0, 2.0}, {});
+  const Teacher teacher(world, {7.0, 2.0});
   double direction = 0.0;
   ASSERT_TRUE(teacher.direction({1.0, 0.3}, &direction));  // 0.2 m to the wall, where 0.27 are kept
   EXPECT_GT(direction, 0.0);                               // away from it
@@ -83,17 +81,17 @@ TEST(Teacher, HasNoAnswerWhereThereIsNoPath) {
   test::fillBox(3.95, 0.0, 4.05, 4.0, &grid);
   const GridWorld world(grid);
   double direction = 0.0;
-  EXPECT_FALSE(Teacher(world, {6.0, 2.0}, {}).direction({2.0, 2.0}, &direction));
-  EXPECT_TRUE(std::isinf(Teacher(world, {6.0, 2.0}, {}).distanceToGo({2.0, 2.0})));
-  EXPECT_FALSE(Teacher(world, {4.0, 2.0}, {}).direction({2.0, 2.0}, &direction));  // the goal is in the wall
-  EXPECT_FALSE(Teacher(world, {99.0, 2.0}, {}).direction({2.0, 2.0}, &direction));
-  EXPECT_FALSE(Teacher(world, {2.0, 2.0}, {}).direction({-50.0, 2.0}, &direction));
+  EXPECT_FALSE(Teacher(world, {6.0, 2.0}).direction({2.0, 2.0}, &direction));
+  EXPECT_TRUE(std::isinf(Teacher(world, {6.0, 2.0}).distanceToGo({2.0, 2.0})));
+  EXPECT_FALSE(Teacher(world, {4.0, 2.0}).direction({2.0, 2.0}, &direction));  // the goal is in the wall
+  EXPECT_FALSE(Teacher(world, {99.0, 2.0}).direction({2.0, 2.0}, &direction));
+  EXPECT_FALSE(Teacher(world, {2.0, 2.0}).direction({-50.0, 2.0}, &direction));
 }
 
 TEST(Teacher, IsContentAtTheGoal) {
   const GridWorld world(test::emptyHall(8.0, 4.0));
   double direction = 99.0;
-  EXPECT_TRUE(Teacher(world, {2.0, 2.0}, {}).direction({2.0, 2.0}, &direction));
+  EXPECT_TRUE(Teacher(world, {2.0, 2.0}).direction({2.0, 2.0}, &direction));
   EXPECT_TRUE(std::isfinite(direction));
 }
 
