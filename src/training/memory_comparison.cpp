@@ -32,7 +32,7 @@ LayerStack trained(const MemoryComparisonParameters& parameters, const MemoryNet
                    std::uint64_t seed) {
   TrainerParameters trainer;
   trainer.epochs = parameters.epochs;
-  trainer.batch_size = parameters.batch;
+  trainer.batch_size = 64;
   trainer.threads = parameters.threads;
   trainer.seed = seed;
   trainer.optimiser.learning_rate = parameters.learning_rate;
@@ -110,7 +110,6 @@ void validate(const MemoryComparisonParameters& parameters) {
   checkAtLeastOne("sequences", parameters.sequences);
   checkAtLeastOne("measured_sequences", parameters.measured_sequences);
   checkAtLeastOne("epochs", parameters.epochs);
-  checkAtLeastOne("batch", parameters.batch);
   checkAtLeastOne("seeds", parameters.seeds);
   checkAtLeastOne("threads", parameters.threads);
   checkPositive("learning_rate", parameters.learning_rate);

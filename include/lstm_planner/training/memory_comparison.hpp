@@ -29,7 +29,6 @@ struct MemoryComparisonParameters {
   int sequences = 1000;                           ///< to learn from; as many others to judge by
   int measured_sequences = 16;                    ///< of those the sensitivity is the mean of
   int epochs = 30;
-  int batch = 64;  ///< sequences
   double learning_rate = 0.02;
   int seeds = 5;  ///< trainings of each network, with the seeds from `seed` on
   std::uint64_t seed = 1;
