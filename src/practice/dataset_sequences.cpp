@@ -14,18 +14,6 @@
 namespace lstm_planner {
 namespace {
 
-/// The whole of an episode.
-Sequence toSequence(const std::vector<RecordedChoice>& episode, const Encoder& encoder) {
-  const auto steps = static_cast<Eigen::Index>(episode.size());
-  Sequence sequence{Eigen::MatrixXf(encoder.size(), steps), Eigen::VectorXi(steps), Eigen::VectorXf::Ones(steps)};
-  for (Eigen::Index step = 0; step < steps; ++step) {
-    const RecordedChoice& choice = episode[static_cast<std::size_t>(step)];
-    encoder.encode(choice.observation, sequence.inputs.col(step));
-    sequence.labels[step] = choice.label;
-  }
-  return sequence;
-}
-
 /// All in one piece where they say 0 steps.
 SequenceCut cutOf(const DatasetSequenceParameters& parameters) {
   const Eigen::Index steps =

@@ -12,6 +12,7 @@
 #include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/common/parameter_visitors.hpp"
 #include "lstm_planner/common/random.hpp"
+#include "lstm_planner/practice/recorded_choices.hpp"
 #include "lstm_planner/practice/step_simulator.hpp"
 #include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
@@ -31,8 +32,7 @@ constexpr int kBurnInSteps = 32;    ///< of these, steps that only bring the hid
 
 /// One drive as the learner saw it.
 struct LabelledEpisode {
-  std::vector<Observation> observations;
-  std::vector<int> labels;  ///< -1 where the teacher had no answer
+  std::vector<RecordedChoice> steps;  ///< with the teacher's answer, where it had one
   bool arrived = false;
   double efficiency = 0.0;  ///< shortest / driven path if it arrived, else 0
 };
@@ -62,8 +62,7 @@ LabelledEpisode driveEpisode(const DriveExercise& exercise, const DriveTask& tas
     const bool known = exercise.teacher->direction({pose.x, pose.y}, &direction);
     const double wanted = normalizeAngle(direction - pose.yaw);
     const int label = known ? parameters.policy.actions.nearest(wanted) : -1;
-    episode.observations.push_back(observation);
-    episode.labels.push_back(label);
+    episode.steps.push_back({observation, label});
     const bool teacher_drives =
         driver == Driver::kTeacher ||
         (driver == Driver::kRescuedLearner && rescue.wanted(exercise.teacher->distanceToGo({pose.x, pose.y})));
@@ -72,20 +71,6 @@ LabelledEpisode driveEpisode(const DriveExercise& exercise, const DriveTask& tas
   episode.arrived = drive.run(parameters.max_steps, &agent) == ClosedLoop::End::kArrived;
   if (episode.arrived) episode.efficiency = task.shortest / std::max(task.shortest, drive.pathLength());
   return episode;
-}
-
-/// The whole of an episode.
-Sequence toSequence(const LabelledEpisode& episode, const Encoder& encoder) {
-  const auto steps = static_cast<Eigen::Index>(episode.labels.size());
-  Sequence sequence{Eigen::MatrixXf(encoder.size(), steps), Eigen::VectorXi::Zero(steps), Eigen::VectorXf::Zero(steps)};
-  for (Eigen::Index step = 0; step < steps; ++step) {
-    const auto i = static_cast<std::size_t>(step);
-    encoder.encode(episode.observations[i], sequence.inputs.col(step));
-    if (episode.labels[i] < 0) continue;
-    sequence.labels[step] = episode.labels[i];
-    sequence.weights[step] = 1.0f;
-  }
-  return sequence;
 }
 
 DriveScore scoreOf(const std::vector<LabelledEpisode>& episodes) {
@@ -127,7 +112,7 @@ class DriveImitationCourse : public ImitationCourse {
       return uniform(random) < parameters_.learner_share ? Driver::kRescuedLearner : Driver::kTeacher;
     };
     const std::vector<LabelledEpisode> episodes = drive(learner != nullptr ? *learner : layers_, round, false, driver);
-    for (const LabelledEpisode& episode : episodes) steps_ += episode.labels.size();
+    for (const LabelledEpisode& episode : episodes) steps_ += episode.steps.size();
     return cut(episodes);
   }
 
@@ -198,7 +183,8 @@ class DriveImitationCourse : public ImitationCourse {
     const Encoder encoder(parameters_.policy.encoder);
     const SequenceCut pieces = overlappingPieces(kSequenceSteps, kBurnInSteps);
     std::vector<Sequence> sequences;
-    for (const LabelledEpisode& episode : episodes) cutIntoPieces(toSequence(episode, encoder), pieces, &sequences);
+    for (const LabelledEpisode& episode : episodes)
+      cutIntoPieces(toSequence(episode.steps, encoder), pieces, &sequences);
     return sequences;
   }
 

@@ -86,6 +86,19 @@ class RecordingReader {
 
 }  // namespace
 
+Sequence toSequence(const std::vector<RecordedChoice>& episode, const Encoder& encoder) {
+  const auto steps = static_cast<Eigen::Index>(episode.size());
+  Sequence sequence{Eigen::MatrixXf(encoder.size(), steps), Eigen::VectorXi::Zero(steps), Eigen::VectorXf::Zero(steps)};
+  for (Eigen::Index step = 0; step < steps; ++step) {
+    const RecordedChoice& choice = episode[static_cast<std::size_t>(step)];
+    encoder.encode(choice.observation, sequence.inputs.col(step));
+    if (choice.label < 0) continue;
+    sequence.labels[step] = choice.label;
+    sequence.weights[step] = 1.0f;
+  }
+  return sequence;
+}
+
 void forEachRecordedEpisode(const Dataset& dataset, const PolicyDescription& policy, double label_distance,
                             const std::function<void(const std::vector<RecordedChoice>&)>& work) {
   for (const Recording& recording : dataset.recordings) {

@@ -6,14 +6,18 @@
 #include "lstm_planner/dataset/dataset.hpp"
 #include "lstm_planner/drive/decision/drive_policy.hpp"
 #include "lstm_planner/training/gradient.hpp"
+#include "lstm_planner/training/sequence.hpp"
 
 namespace lstm_planner {
 
-/// A step of a recorded drive: what the network would have been told, and what the driver did.
+/// A step of a drive: what the network would have been told, and what the driver did, or a teacher would have done.
 struct RecordedChoice {
   Observation observation;
-  int label = 0;  ///< index of the steering angle
+  int label = 0;  ///< index of the steering angle; -1: not known
 };
+
+/// All steps of an episode, to learn from: those with a label have the weight 1, the others 0.
+Sequence toSequence(const std::vector<RecordedChoice>& episode, const Encoder& encoder);
 
 /// Calls `look` with all steps of each episode that is not discarded, one episode after the other. The previous action
 /// is always that of the label of the step before, as it is when the planner drives.
