@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "lstm_planner/common/parameter_check.hpp"
-#include "lstm_planner/common/random.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
 #include "lstm_planner/training/tile_exchange.hpp"
 
@@ -34,43 +33,6 @@ std::vector<double*> numbersOf(GroupLoss* group) {
   for (Eigen::Index i = 0; i < group->counts.size(); ++i) numbers.push_back(group->counts.data() + i);
   return numbers;
 }
-
-/// Loss of a batch, and its gradient where it is asked for, computed group by group and summed in the groups' order:
-/// the sum does not depend on which thread of which rank did which group.
-class GroupedGradient {
- public:
-  GroupedGradient(const LayerStack& layers, Loss loss, int threads, Communicator* ranks)
-      : exchange_(ranks, threads), classes_(outputSize(layers)) {
-    for (int thread = 0; thread < threads; ++thread) workers_.emplace_back(layers, loss);
-  }
-
-  LossSum loss(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf* gradient = nullptr) {
-    LossSum sum;
-    if (batch.empty()) return sum;
-    const std::vector<Batch> groups = SequenceGradient::groupsOf(batch);
-    const auto count = static_cast<int>(groups.size());
-    std::vector<Eigen::VectorXf> gradients(groups.size());
-    const auto work = [&](int group, int thread) {
-      const auto index = static_cast<std::size_t>(group);
-      SequenceGradient& worker = workers_[static_cast<std::size_t>(thread)];
-      return GroupLoss(worker.loss(parameters, groups[index], gradient != nullptr ? &gradients[index] : nullptr),
-                       classes_);
-    };
-    for (const GroupLoss& group : exchange_.each(count, GroupLoss({}, classes_), work)) sum += group.sum();
-    if (gradient != nullptr) {
-      const auto gradientOf = [&](int group) -> const Eigen::VectorXf& {
-        return gradients[static_cast<std::size_t>(group)];
-      };
-      *gradient = exchange_.sumOf(count, parameters.size(), gradientOf);
-    }
-    return sum;
-  }
-
- private:
-  TileExchange exchange_;
-  Eigen::Index classes_;
-  std::vector<SequenceGradient> workers_;
-};
 
 Batch pointersTo(const std::vector<Sequence>& sequences) {
   Batch pointers;
@@ -121,115 +83,127 @@ const LayerStack& checked(const LayerStack& layers, const std::vector<Sequence>&
 
 }  // namespace
 
-class Trainer::Implementation {
+/// Loss of a batch, and its gradient where it is asked for, computed group by group and summed in the groups' order:
+/// the sum does not depend on which thread of which rank did which group.
+class GroupedGradient {
  public:
-  Implementation(const LayerStack& layers, const std::vector<Sequence>& training,
-                 const std::vector<Sequence>& validation, const TrainerParameters& parameters, TrainingState* state)
-      : parameters_(parameters),
-        layers_(checked(layers, training, validation, parameters)),
-        state_(*state),
-        gradient_(layers, parameters.loss, parameters.threads, parameters.communicator),
-        optimiser_(parameters.optimiser, weightMask(layers)),
-        order_(pointersTo(training)),
-        validation_(pointersTo(validation)),
-        random_(parameters.seed),
-        weights_(parameterVector(layers)) {
-    if (averages()) averaged_weights_ = weights_;
-    if (!state_.curve.empty()) goOnFrom(state_);
+  GroupedGradient(const LayerStack& layers, Loss loss, int threads, Communicator* ranks)
+      : exchange_(ranks, threads), classes_(outputSize(layers)) {
+    for (int thread = 0; thread < threads; ++thread) workers_.emplace_back(layers, loss);
   }
 
-  bool done() const { return static_cast<int>(state_.curve.size()) >= parameters_.epochs; }
-
-  const EpochReport& runEpoch() {
-    EpochReport report = learn(static_cast<int>(state_.curve.size()) + 1);
-    const EpochReport* best = bestOf(state_.curve);
-    report.best = best == nullptr || validation_.empty() || isBetter(report.kept(), best->kept());
-    if (report.best) state_.best_weights = averages() ? averaged_weights_ : weights_;
-    state_.weights = weights_;
-    state_.averaged_weights = averaged_weights_;
-    state_.optimiser = optimiser_.state();
-    state_.curve.push_back(std::move(report));
-    return state_.curve.back();
-  }
-
-  TrainingResult result() const {
-    const EpochReport* best = bestOf(state_.curve);
-    if (best == nullptr) throw std::logic_error("a training has no result before its first epoch");
-    TrainingResult result{layers_, best->epoch, state_.curve};
-    setParameterVector(state_.best_weights, result.layers);
-    return result;
+  LossSum loss(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf* gradient = nullptr) {
+    LossSum sum;
+    if (batch.empty()) return sum;
+    const std::vector<Batch> groups = SequenceGradient::groupsOf(batch);
+    const auto count = static_cast<int>(groups.size());
+    std::vector<Eigen::VectorXf> gradients(groups.size());
+    const auto work = [&](int group, int thread) {
+      const auto index = static_cast<std::size_t>(group);
+      SequenceGradient& worker = workers_[static_cast<std::size_t>(thread)];
+      return GroupLoss(worker.loss(parameters, groups[index], gradient != nullptr ? &gradients[index] : nullptr),
+                       classes_);
+    };
+    for (const GroupLoss& group : exchange_.each(count, GroupLoss({}, classes_), work)) sum += group.sum();
+    if (gradient != nullptr) {
+      const auto gradientOf = [&](int group) -> const Eigen::VectorXf& {
+        return gradients[static_cast<std::size_t>(group)];
+      };
+      *gradient = exchange_.sumOf(count, parameters.size(), gradientOf);
+    }
+    return sum;
   }
 
  private:
-  bool averages() const { return parameters_.averaging > 0.0; }
-
-  void goOnFrom(const TrainingState& state) {
-    if (state.weights.size() != weights_.size() || state.best_weights.size() != weights_.size()) {
-      throw std::invalid_argument("the training's state has " + std::to_string(state.weights.size()) +
-                                  " weights, the layers have " + std::to_string(weights_.size()));
-    }
-    if (state.averaged_weights.size() != averaged_weights_.size()) {
-      throw std::invalid_argument("the training's state has " + std::to_string(state.averaged_weights.size()) +
-                                  " averaged weights, expected " + std::to_string(averaged_weights_.size()));
-    }
-    weights_ = state.weights;
-    averaged_weights_ = state.averaged_weights;
-    optimiser_.setState(state.optimiser);
-    for (std::size_t epoch = 0; epoch < state.curve.size(); ++epoch) shuffle(&order_, random_);
-    update_ = static_cast<long>(state.curve.size() * cut(order_, parameters_.batch_size).size());
-  }
-
-  EpochReport learn(int epoch) {
-    shuffle(&order_, random_);
-    const std::vector<Batch> batches = cut(order_, parameters_.batch_size);
-    const long updates = static_cast<long>(batches.size()) * parameters_.epochs;
-    EpochReport report;
-    report.epoch = epoch;
-    for (const Batch& batch : batches) {
-      const LossSum sum = gradient_.loss(weights_, batch, &mean_gradient_);
-      requireFinite(sum, "training", epoch);
-      const double progress = static_cast<double>(update_++) / static_cast<double>(updates);
-      report.learning_rate = optimiser_.rate(progress);
-      report.training += sum;
-      report.mean_batch_accuracy += sum.accuracy() / static_cast<double>(batches.size());
-      if (sum.weight <= 0.0) continue;
-      mean_gradient_ *= static_cast<float>(1.0 / sum.weight);
-      optimiser_.update(mean_gradient_, progress, weights_);
-      if (averages()) average();
-    }
-    report.validation = gradient_.loss(weights_, validation_);
-    requireFinite(report.validation, "validation", epoch);
-    if (averages()) report.averaged = gradient_.loss(averaged_weights_, validation_);
-    return report;
-  }
-
-  void average() {
-    const double updates = static_cast<double>(optimiser_.state().updates);
-    const double kept = std::min(parameters_.averaging, (1.0 + updates) / (10.0 + updates));
-    averaged_weights_ += static_cast<float>(1.0 - kept) * (weights_ - averaged_weights_);
-  }
-
-  const TrainerParameters parameters_;
-  const LayerStack layers_;
-  TrainingState& state_;
-  GroupedGradient gradient_;
-  Optimiser optimiser_;
-  Batch order_;
-  Batch validation_;
-  Random random_;
-  Eigen::VectorXf weights_;
-  Eigen::VectorXf averaged_weights_;  ///< empty without averaging
-  Eigen::VectorXf mean_gradient_;
-  long update_ = 0;
+  TileExchange exchange_;
+  Eigen::Index classes_;
+  std::vector<SequenceGradient> workers_;
 };
 
 Trainer::Trainer(const LayerStack& layers, const std::vector<Sequence>& training,
                  const std::vector<Sequence>& validation, const TrainerParameters& parameters, TrainingState* state)
-    : implementation_(std::make_unique<Implementation>(layers, training, validation, parameters, state)) {}
+    : parameters_(parameters),
+      layers_(checked(layers, training, validation, parameters)),
+      state_(*state),
+      gradient_(
+          std::make_unique<GroupedGradient>(layers, parameters.loss, parameters.threads, parameters.communicator)),
+      optimiser_(parameters.optimiser, weightMask(layers)),
+      order_(pointersTo(training)),
+      validation_(pointersTo(validation)),
+      random_(parameters.seed),
+      weights_(parameterVector(layers)) {
+  if (averages()) averaged_weights_ = weights_;
+  if (!state_.curve.empty()) goOn();
+}
+
 Trainer::~Trainer() = default;
-bool Trainer::done() const { return implementation_->done(); }
-const EpochReport& Trainer::runEpoch() { return implementation_->runEpoch(); }
-TrainingResult Trainer::result() const { return implementation_->result(); }
+
+const EpochReport& Trainer::runEpoch() {
+  EpochReport report = learn(static_cast<int>(state_.curve.size()) + 1);
+  const EpochReport* best = bestOf(state_.curve);
+  report.best = best == nullptr || validation_.empty() || isBetter(report.kept(), best->kept());
+  if (report.best) state_.best_weights = averages() ? averaged_weights_ : weights_;
+  state_.weights = weights_;
+  state_.averaged_weights = averaged_weights_;
+  state_.optimiser = optimiser_.state();
+  state_.curve.push_back(std::move(report));
+  return state_.curve.back();
+}
+
+TrainingResult Trainer::result() const {
+  const EpochReport* best = bestOf(state_.curve);
+  if (best == nullptr) throw std::logic_error("a training has no result before its first epoch");
+  TrainingResult result{layers_, best->epoch, state_.curve};
+  setParameterVector(state_.best_weights, result.layers);
+  return result;
+}
+
+void Trainer::goOn() {
+  if (state_.weights.size() != weights_.size() || state_.best_weights.size() != weights_.size()) {
+    throw std::invalid_argument("the training's state has " + std::to_string(state_.weights.size()) +
+                                " weights, the layers have " + std::to_string(weights_.size()));
+  }
+  if (state_.averaged_weights.size() != averaged_weights_.size()) {
+    throw std::invalid_argument("the training's state has " + std::to_string(state_.averaged_weights.size()) +
+                                " averaged weights, expected " + std::to_string(averaged_weights_.size()));
+  }
+  weights_ = state_.weights;
+  averaged_weights_ = state_.averaged_weights;
+  optimiser_.setState(state_.optimiser);
+  for (std::size_t epoch = 0; epoch < state_.curve.size(); ++epoch) shuffle(&order_, random_);
+  update_ = static_cast<long>(state_.curve.size() * cut(order_, parameters_.batch_size).size());
+}
+
+EpochReport Trainer::learn(int epoch) {
+  shuffle(&order_, random_);
+  const std::vector<Batch> batches = cut(order_, parameters_.batch_size);
+  const long updates = static_cast<long>(batches.size()) * parameters_.epochs;
+  EpochReport report;
+  report.epoch = epoch;
+  Eigen::VectorXf gradient;
+  for (const Batch& batch : batches) {
+    const LossSum sum = gradient_->loss(weights_, batch, &gradient);
+    requireFinite(sum, "training", epoch);
+    const double progress = static_cast<double>(update_++) / static_cast<double>(updates);
+    report.learning_rate = optimiser_.rate(progress);
+    report.training += sum;
+    report.mean_batch_accuracy += sum.accuracy() / static_cast<double>(batches.size());
+    if (sum.weight <= 0.0) continue;
+    gradient *= static_cast<float>(1.0 / sum.weight);
+    optimiser_.update(gradient, progress, weights_);
+    if (averages()) average();
+  }
+  report.validation = gradient_->loss(weights_, validation_);
+  requireFinite(report.validation, "validation", epoch);
+  if (averages()) report.averaged = gradient_->loss(averaged_weights_, validation_);
+  return report;
+}
+
+void Trainer::average() {
+  const double updates = static_cast<double>(optimiser_.state().updates);
+  const double kept = std::min(parameters_.averaging, (1.0 + updates) / (10.0 + updates));
+  averaged_weights_ += static_cast<float>(1.0 - kept) * (weights_ - averaged_weights_);
+}
 
 void validate(const TrainerParameters& parameters) {
   checkAtLeastOne("epochs", parameters.epochs);

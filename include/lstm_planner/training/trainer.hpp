@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lstm_planner/common/communicator.hpp"
+#include "lstm_planner/common/random.hpp"
 #include "lstm_planner/network/layers.hpp"
 #include "lstm_planner/training/gradient.hpp"
 #include "lstm_planner/training/optimiser.hpp"
@@ -68,6 +69,8 @@ struct TrainingState {
   std::vector<EpochReport> curve;  ///< of the epochs that are done; empty: not started
 };
 
+class GroupedGradient;
+
 /// Supervised learning by mini-batches, epoch by epoch, starting from the weights of `layers`.
 ///
 /// The epoch with the highest accuracy on the validation set is kept, of equals the one with the lower loss; without a
@@ -82,15 +85,29 @@ class Trainer {
           const TrainerParameters& parameters, TrainingState* state);
   ~Trainer();
 
-  bool done() const;
+  bool done() const { return static_cast<int>(state_.curve.size()) >= parameters_.epochs; }
   /// Throws std::runtime_error when the loss stops being finite.
   const EpochReport& runEpoch();
   /// Of the epochs so far, of which there must be one.
   TrainingResult result() const;
 
  private:
-  class Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  bool averages() const { return parameters_.averaging > 0.0; }
+  void goOn();
+  EpochReport learn(int epoch);
+  void average();
+
+  const TrainerParameters parameters_;
+  const LayerStack layers_;
+  TrainingState& state_;
+  std::unique_ptr<GroupedGradient> gradient_;
+  Optimiser optimiser_;
+  SequenceGradient::Batch order_;
+  SequenceGradient::Batch validation_;
+  Random random_;
+  Eigen::VectorXf weights_;
+  Eigen::VectorXf averaged_weights_;  ///< empty without averaging
+  long update_ = 0;
 };
 
 /// Called after each epoch; training ends early when it returns false.
