@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "practice/drive_practice.hpp"
+#include "practice/practice_episode.hpp"
 
 namespace lstm_planner {
 
