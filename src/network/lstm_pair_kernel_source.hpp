@@ -71,7 +71,7 @@ class LstmPair {
   static constexpr int kSums = kColumn / kLanesOf<Sums>;
 
   static bool isLstm(const LayerShape& shape) {
-    return shape.kind == LayerKind::kLstm && shape.activation == StepActivation::kTanh && shape.units == kCells;
+    return shape.kind == LayerKind::kLstm && shape.activation == Activation::kTanh && shape.units == kCells;
   }
 
   static LSTM_PLANNER_INLINE void loadColumn(const float* column, Sums (&sums)[kSums]) {
@@ -121,7 +121,7 @@ class LstmPair {
 
   /// lstmCells() for the gates in whatever vectors they are.
   static LSTM_PLANNER_INLINE LstmCells<Cells> cellsOf(const Floats<8> (&sums)[4], const float* cells) {
-    return lstmCells<Cells, StepActivation::kTanh>(Group<Cells, 4>{{sums[0], sums[1], sums[2], sums[3]}}, cells);
+    return lstmCells<Cells, Activation::kTanh>(Group<Cells, 4>{{sums[0], sums[1], sums[2], sums[3]}}, cells);
   }
 #if defined(__AVX512F__)
   /// Input gate and forget gate, candidate and output gate: what is multiplied first lies in the same lanes.

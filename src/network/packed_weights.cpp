@@ -30,25 +30,11 @@ std::size_t floatsInCache() {
   return static_cast<std::size_t>(bytes) * 7 / 8 / sizeof(float);
 }
 
-StepActivation stepActivation(Activation activation) {
-  switch (activation) {
-    case Activation::kIdentity:
-      return StepActivation::kIdentity;
-    case Activation::kTanh:
-      return StepActivation::kTanh;
-    case Activation::kSigmoid:
-      return StepActivation::kSigmoid;
-    case Activation::kRelu:
-      return StepActivation::kRelu;
-  }
-  return StepActivation::kIdentity;
-}
-
 LayerMatrices matrices(const LstmLayer& layer, int) {
   enum Gate { kInput, kOutput, kForget, kCandidate };  // as LstmLayer has them
   const int cells = static_cast<int>(layer.recurrent.cols());
   const float candidate_factor = layer.candidate == Activation::kSigmoid ? 0.5f : 1.0f;
-  return {{LayerKind::kLstm, stepActivation(layer.candidate), cells},
+  return {{LayerKind::kLstm, layer.candidate, cells},
           {{kInput, 0.5f}, {kForget, 0.5f}, {kCandidate, candidate_factor}, {kOutput, 0.5f}},
           layer.bias,
           layer.recurrent,
@@ -56,18 +42,14 @@ LayerMatrices matrices(const LstmLayer& layer, int) {
 }
 LayerMatrices matrices(const RecurrentLayer& layer, int) {
   const int units = static_cast<int>(layer.recurrent.cols());
-  return {{LayerKind::kRecurrent, StepActivation::kTanh, units}, {{0, 1.0f}}, layer.bias, layer.recurrent, layer.input};
+  return {{LayerKind::kRecurrent, Activation::kTanh, units}, {{0, 1.0f}}, layer.bias, layer.recurrent, layer.input};
 }
 LayerMatrices matrices(const DenseLayer& layer, int) {
   const int outputs = static_cast<int>(layer.weights.rows());
-  return {{LayerKind::kDense, stepActivation(layer.activation), outputs},
-          {{0, 1.0f}},
-          layer.bias,
-          MatrixXf(),
-          layer.weights};
+  return {{LayerKind::kDense, layer.activation, outputs}, {{0, 1.0f}}, layer.bias, MatrixXf(), layer.weights};
 }
 LayerMatrices matrices(const SoftmaxLayer&, int inputs) {
-  return {{LayerKind::kSoftmax, StepActivation::kIdentity, inputs}, {}, VectorXf(), MatrixXf(), MatrixXf()};
+  return {{LayerKind::kSoftmax, Activation::kIdentity, inputs}, {}, VectorXf(), MatrixXf(), MatrixXf()};
 }
 
 /// A matrix on its way into memory.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lstm_planner/network/activation.hpp"
 #include "lstm_planner/network/instruction_set.hpp"
 
 namespace lstm_planner {
@@ -9,13 +10,10 @@ namespace lstm_planner {
 
 enum class LayerKind { kLstm, kRecurrent, kDense, kSoftmax };
 
-/// Of a dense layer, or of an LSTM's candidate (kTanh or kSigmoid).
-enum class StepActivation { kIdentity, kTanh, kSigmoid, kRelu };
-
 struct LayerShape {
   LayerKind kind;
-  StepActivation activation;
-  int units;  ///< cells of an LSTM, outputs of any layer
+  Activation activation;  ///< of a dense layer, or of an LSTM's candidate (kTanh or kSigmoid)
+  int units;              ///< cells of an LSTM, outputs of any layer
 };
 
 /// A matrix in the order in which it is read.

@@ -64,14 +64,14 @@ struct LstmCells {
 
 /// Equations in LstmLayer, from the sums of the four gates: two and two side by side, as the registers do not hold
 /// more.
-template <class V, StepActivation kCandidate>
+template <class V, Activation kCandidate>
 LSTM_PLANNER_INLINE LstmCells<V> lstmCells(const Group<V, 4>& sums, const float* cells) {
   const V half = broadcast<V>(kHalf);
   const auto twiceSigmoid = [](const TanhTerms<Group<V, 2>>& terms, int gate) __attribute__((always_inline)) {
     return multiplyAdd(terms.limited_x.of[gate], terms.p.of[gate], terms.q.of[gate]);
   };
   const TanhTerms<Group<V, 2>> input_candidate = tanhTerms(Group<V, 2>{{sums.of[0], sums.of[2]}});
-  const V half_candidate = kCandidate == StepActivation::kTanh
+  const V half_candidate = kCandidate == Activation::kTanh
                                ? half * input_candidate.limited_x.of[1] * input_candidate.p.of[1]
                                : half * half * twiceSigmoid(input_candidate, 1);
   const V update =
@@ -83,7 +83,7 @@ LSTM_PLANNER_INLINE LstmCells<V> lstmCells(const Group<V, 4>& sums, const float*
 }
 
 /// The rest of an LSTM's step for the blocks of a tile.
-template <class V, StepActivation kCandidate, int kBlocks>
+template <class V, Activation kCandidate, int kBlocks>
 LSTM_PLANNER_INLINE void lstmBlocks(const V (&sums)[4 * kBlocks], int first_unit, int units, const LayerValues& values,
                                     V* watched) {
   Group<V, kBlocks> cell;
@@ -112,15 +112,15 @@ LSTM_PLANNER_INLINE void lstmBlocks(const V (&sums)[4 * kBlocks], int first_unit
 }
 
 template <class V>
-LSTM_PLANNER_INLINE V activated(StepActivation activation, V sum) {
+LSTM_PLANNER_INLINE V activated(Activation activation, V sum) {
   switch (activation) {
-    case StepActivation::kIdentity:
+    case Activation::kIdentity:
       return sum;
-    case StepActivation::kTanh:
+    case Activation::kTanh:
       return simd::tanh(sum);
-    case StepActivation::kSigmoid:
+    case Activation::kSigmoid:
       return sigmoid(sum);
-    case StepActivation::kRelu:
+    case Activation::kRelu:
       return maximum(sum, V{});
   }
   return sum;
@@ -128,7 +128,7 @@ LSTM_PLANNER_INLINE V activated(StepActivation activation, V sum) {
 
 /// One kind of layer in vectors V, in tiles of at most kMostBlocks blocks; of kUnits units, or of any number if that is
 /// 0.
-template <class V, LayerKind kKind, StepActivation kCandidate, int kMostBlocks, int kUnits>
+template <class V, LayerKind kKind, Activation kCandidate, int kMostBlocks, int kUnits>
 struct TiledLayer {
   static LSTM_PLANNER_INLINE int units(const PackedLayer& layer) { return kUnits > 0 ? kUnits : layer.shape.units; }
 
@@ -231,7 +231,7 @@ bool softmax(const PackedLayer& layer, const LayerValues& values) {
   return true;
 }
 
-template <class V, LayerKind kKind, StepActivation kCandidate, int kMostBlocks, int kUnits = 0>
+template <class V, LayerKind kKind, Activation kCandidate, int kMostBlocks, int kUnits = 0>
 LayerKernel tiled() {
   using Layer = TiledLayer<V, kKind, kCandidate, kMostBlocks, kUnits>;
   return {kLanesOf<V>, kMostBlocks, &Layer::recurrentSums, &Layer::advance};
@@ -239,20 +239,20 @@ LayerKernel tiled() {
 
 template <class V, int kMostBlocks>
 LayerKernel lstm(const LayerShape& shape) {
-  if (shape.activation == StepActivation::kSigmoid) {
-    return tiled<V, LayerKind::kLstm, StepActivation::kSigmoid, kMostBlocks>();
+  if (shape.activation == Activation::kSigmoid) {
+    return tiled<V, LayerKind::kLstm, Activation::kSigmoid, kMostBlocks>();
   }
   switch (shape.units) {
     case 8:
-      return tiled<V, LayerKind::kLstm, StepActivation::kTanh, kMostBlocks, 8>();
+      return tiled<V, LayerKind::kLstm, Activation::kTanh, kMostBlocks, 8>();
     case 16:
-      return tiled<V, LayerKind::kLstm, StepActivation::kTanh, kMostBlocks, 16>();
+      return tiled<V, LayerKind::kLstm, Activation::kTanh, kMostBlocks, 16>();
     case 32:
-      return tiled<V, LayerKind::kLstm, StepActivation::kTanh, kMostBlocks, 32>();
+      return tiled<V, LayerKind::kLstm, Activation::kTanh, kMostBlocks, 32>();
     case 64:
-      return tiled<V, LayerKind::kLstm, StepActivation::kTanh, kMostBlocks, 64>();
+      return tiled<V, LayerKind::kLstm, Activation::kTanh, kMostBlocks, 64>();
     default:
-      return tiled<V, LayerKind::kLstm, StepActivation::kTanh, kMostBlocks>();
+      return tiled<V, LayerKind::kLstm, Activation::kTanh, kMostBlocks>();
   }
 }
 
@@ -262,10 +262,10 @@ LayerKernel layerKernel(const LayerShape& shape) {
     case LayerKind::kLstm:
       return lstm<V, 2>(shape);
     case LayerKind::kRecurrent:
-      return tiled<V, LayerKind::kRecurrent, StepActivation::kTanh, 4>();
+      return tiled<V, LayerKind::kRecurrent, Activation::kTanh, 4>();
     case LayerKind::kDense:
-      return shape.units == 8 ? tiled<V, LayerKind::kDense, StepActivation::kIdentity, 4, 8>()
-                              : tiled<V, LayerKind::kDense, StepActivation::kIdentity, 4>();
+      return shape.units == 8 ? tiled<V, LayerKind::kDense, Activation::kIdentity, 4, 8>()
+                              : tiled<V, LayerKind::kDense, Activation::kIdentity, 4>();
     case LayerKind::kSoftmax:
       break;
   }

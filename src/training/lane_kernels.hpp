@@ -1,12 +1,11 @@
 #pragma once
 
+#include "lstm_planner/network/activation.hpp"
+
 namespace lstm_planner {
 
 /// `lanes` is a multiple of this.
 constexpr int kLaneGroup = 16;
-
-/// The activation of an LSTM's candidate.
-enum class Candidate { kTanh, kSigmoid };
 
 /// Arithmetic on many steps side by side: a value of the network is a row of `lanes` numbers, one for each agent or
 /// sequence that is at the same step, so that one instruction works for 16 of them whatever the sizes of the layers
@@ -33,14 +32,15 @@ struct LaneKernels {
   void (*multiplyByTanhDerivative)(const float* results, float* gradient, int count);
 
   /// One step of LSTM cells. `gates` holds the weighted sums of i, o, f, c (cells rows each) and gets their
-  /// activations; `cell` is the new cell state, `cell_tanh` its tanh, `output` the layer's output.
+  /// activations; `cell` is the new cell state, `cell_tanh` its tanh, `output` the layer's output; `candidate` is kTanh
+  /// or kSigmoid.
   void (*lstmForward)(float* gates, const float* previous_cell, float* cell, float* cell_tanh, float* output, int cells,
-                      int lanes, Candidate candidate);
+                      int lanes, Activation candidate);
 
   /// Back through one step: `output_gradient` by the output; `cell_gradient` by the new cell state from the step after,
   /// becomes that by the previous cell state; `gates` become gradients by the weighted sums.
   void (*lstmBackward)(float* gates, const float* previous_cell, const float* cell_tanh, const float* output_gradient,
-                       float* cell_gradient, int cells, int lanes, Candidate candidate);
+                       float* cell_gradient, int cells, int lanes, Activation candidate);
 };
 
 extern const LaneKernels kLaneKernelsBaseline;

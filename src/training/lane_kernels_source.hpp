@@ -146,13 +146,13 @@ void multiplyByTanhDerivativeOfLanes(const float* results, float* gradient, int 
   }
 }
 
-template <class V, Candidate kCandidate>
+template <class V, Activation kCandidate>
 LSTM_PLANNER_INLINE void stepCells(float* gates, int gate_stride, const float* previous_cell, float* cell,
                                    float* cell_tanh, float* output) {
   const V input_gate = sigmoid(loadGroup<V>(gates));
   store(input_gate, gates);
   const V candidate_sum = loadGroup<V>(gates + 3 * gate_stride);
-  const V candidate = kCandidate == Candidate::kTanh ? hyperbolicTangent(candidate_sum) : sigmoid(candidate_sum);
+  const V candidate = kCandidate == Activation::kTanh ? hyperbolicTangent(candidate_sum) : sigmoid(candidate_sum);
   store(candidate, gates + 3 * gate_stride);
   const V forget_gate = sigmoid(loadGroup<V>(gates + 2 * gate_stride));
   store(forget_gate, gates + 2 * gate_stride);
@@ -166,7 +166,7 @@ LSTM_PLANNER_INLINE void stepCells(float* gates, int gate_stride, const float* p
   store(next_tanh * output_gate, output);
 }
 
-template <Candidate kCandidate>
+template <Activation kCandidate>
 void stepAllCells(float* gates, const float* previous_cell, float* cell, float* cell_tanh, float* output, int count) {
   constexpr int kStride = kTogether * kWidest;
   int i = 0;
@@ -179,13 +179,14 @@ void stepAllCells(float* gates, const float* previous_cell, float* cell, float* 
 }
 
 void lstmForwardOfLanes(float* gates, const float* previous_cell, float* cell, float* cell_tanh, float* output,
-                        int cells, int lanes, Candidate candidate) {
-  const auto step = candidate == Candidate::kTanh ? stepAllCells<Candidate::kTanh> : stepAllCells<Candidate::kSigmoid>;
+                        int cells, int lanes, Activation candidate) {
+  const auto step =
+      candidate == Activation::kTanh ? stepAllCells<Activation::kTanh> : stepAllCells<Activation::kSigmoid>;
   step(gates, previous_cell, cell, cell_tanh, output, cells * lanes);
 }
 
 void lstmBackwardOfLanes(float* gates, const float* previous_cell, const float* cell_tanh, const float* output_gradient,
-                         float* cell_gradient, int cells, int lanes, Candidate activation) {
+                         float* cell_gradient, int cells, int lanes, Activation activation) {
   using V = Vectors<1>;
   const int count = cells * lanes;
   for (int i = 0; i < count; i += kWidest) {
@@ -199,7 +200,7 @@ void lstmBackwardOfLanes(float* gates, const float* previous_cell, const float* 
     store(by_cell * candidate * input_gate * (1.0f - input_gate), gates + i);
     store(by_output * tanh_of_cell * output_gate * (1.0f - output_gate), gates + count + i);
     store(by_cell * loadGroup<V>(previous_cell + i) * forget_gate * (1.0f - forget_gate), gates + 2 * count + i);
-    const V slope = activation == Candidate::kTanh ? 1.0f - candidate * candidate : candidate * (1.0f - candidate);
+    const V slope = activation == Activation::kTanh ? 1.0f - candidate * candidate : candidate * (1.0f - candidate);
     store(by_cell * input_gate * slope, gates + 3 * count + i);
     store(by_cell * forget_gate, cell_gradient + i);
   }

@@ -163,7 +163,7 @@ class LstmLanes : public RecurrentLanes {
   LstmLanes(const LstmLayer& layer, int lanes, int steps)
       : RecurrentLanes(static_cast<int>(layer.input.cols()), static_cast<int>(layer.input.rows()),
                        static_cast<int>(layer.recurrent.cols()), lanes, steps),
-        candidate_(layer.candidate == Activation::kTanh ? Candidate::kTanh : Candidate::kSigmoid),
+        candidate_(layer.candidate),
         cells_(static_cast<std::size_t>(outputs_) * static_cast<std::size_t>(lanes * (steps + 1))),
         cell_tanhs_(cells_.size()),
         cell_gradient_(static_cast<std::size_t>(outputs_ * lanes)) {}
@@ -209,7 +209,7 @@ class LstmLanes : public RecurrentLanes {
  private:
   float* cells(int step) { return cells_.data() + at(step, outputs_); }
 
-  Candidate candidate_;
+  Activation candidate_;
   std::vector<float> cells_;  ///< cell states before each step, and after the last
   std::vector<float> cell_tanhs_;
   std::vector<float> cell_gradient_;

@@ -5,10 +5,9 @@
 #include <variant>
 #include <vector>
 
-namespace lstm_planner {
+#include "lstm_planner/network/activation.hpp"
 
-/// Element-wise activation functions of a dense layer or of the LSTM's candidate.
-enum class Activation { kIdentity, kTanh, kSigmoid, kRelu };
+namespace lstm_planner {
 
 /// One LSTM layer with `cells` memory cells on `inputs` values (thesis Eq. 2.21-2.25).
 ///
