@@ -45,7 +45,6 @@ void DecisionReplay::advise(const DriveStep& step) { advice_ = decideAbout(step)
 void DecisionReplay::addStep(const DriveStep& step) {
   ReplayedDecision replayed = advice_ && advice_->stamp == step.stamp ? std::move(*advice_) : decideAbout(step);
   advice_.reset();
-  replayed.next_stamp = step.next_stamp;
   replayed.next_pose = step.next_pose;
   replayed.driven_angle = step.driven_angle;
   replayed.driven_action = description().actions.nearest(step.driven_angle);

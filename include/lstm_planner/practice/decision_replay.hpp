@@ -15,13 +15,12 @@ namespace lstm_planner {
 
 /// What the planner would have done at one step of somebody's drive, beside what the driver did.
 struct ReplayedDecision {
-  long episode = 0;         ///< from 0
-  double stamp = 0.0;       ///< s, of the scan that was decided about
-  double next_stamp = 0.0;  ///< s, of the next step: where the driver had got by then is what he did
-  Pose2 pose;               ///< base in the odometry frame at `stamp`
-  Pose2 next_pose;          ///< the same at `next_stamp`
-  Pose2 goal;               ///< odometry frame; the yaw as it was given
-  Sectors sectors;          ///< that the planner saw
+  long episode = 0;    ///< from 0
+  double stamp = 0.0;  ///< s, of the scan that was decided about
+  Pose2 pose;          ///< base in the odometry frame at `stamp`
+  Pose2 next_pose;     ///< the same at the next step: where the driver had got by then is what he did
+  Pose2 goal;          ///< odometry frame; the yaw as it was given
+  Sectors sectors;     ///< that the planner saw
   Decision decision;
   double steering_angle = 0.0;  ///< rad in (-pi, pi], the planner's, relative to the heading
   int action = 0;               ///< index of the steering angle that is nearest to it

@@ -56,7 +56,7 @@ TEST(DecisionReplayTest, TellsWhatPlannerAndDriverDidAtEachStep) {
   ASSERT_EQ(replay.decisions().size(), 3u);
   const ReplayedDecision& second = replay.decisions()[1];
   EXPECT_EQ(second.stamp, step(1).stamp);
-  EXPECT_EQ(second.next_stamp, step(2).stamp);
+  EXPECT_EQ(second.next_pose.x, step(1).next_pose.x);
   EXPECT_EQ(second.decision.choice, Leader::kNetwork);
   EXPECT_EQ(second.decision.preferences.size(), 5u);
   EXPECT_EQ(second.action, 3);
