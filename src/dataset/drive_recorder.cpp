@@ -86,7 +86,7 @@ void DriveRecorder::endEpisode(EpisodeEnd end) {
 void DriveRecorder::work(const OdometryHeard& odometry) {
   const double before = history_.empty() ? odometry.stamp : history_.newest().stamp;
   const long jumps = history_.jumps();
-  history_.add({odometry.stamp, odometry.pose, odometry.twist});
+  history_.add(odometry);
   const bool has_jumped = history_.jumps() != jumps;
   const double elapsed = odometry.stamp - before;
   if (has_jumped) {

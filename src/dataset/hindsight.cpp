@@ -31,7 +31,7 @@ std::vector<Stretch> stretchesOf(const std::vector<OdometryHeard>& path, const R
   OdometryHistory history(recorder.max_speed);
   for (std::size_t i = 0; i < path.size(); ++i) {
     const long jumps = history.jumps();
-    history.add({path[i].stamp, path[i].pose, path[i].twist});
+    history.add(path[i]);
     const bool follows = i > 0 && history.jumps() == jumps && path[i].stamp - path[i - 1].stamp <= recorder.max_gap;
     if (!follows) stretches.push_back({i, i});
     stretches.back().end = i + 1;

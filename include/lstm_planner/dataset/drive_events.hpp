@@ -7,21 +7,16 @@
 #include <utility>
 #include <variant>
 
-#include "lstm_planner/common/geometry.hpp"
 #include "lstm_planner/dataset/drive_step.hpp"
 #include "lstm_planner/drive/decision/goal_tracker.hpp"
 #include "lstm_planner/drive/perception/laser_scan.hpp"
+#include "lstm_planner/drive/perception/odometry_history.hpp"
 
 namespace lstm_planner {
 
 // What a recorder hears of a drive, whether it happens now or was recorded by something else. Stamps in s.
 
-/// A measurement of the odometry.
-struct OdometryHeard {
-  double stamp = 0.0;
-  Pose2 pose;  ///< base in the odometry frame
-  Twist2 twist;
-};
+using OdometryHeard = OdometryHistory::Entry;
 
 /// A scan, and where its scanner is.
 struct ScanHeard {
