@@ -15,6 +15,9 @@ namespace lstm_planner {
 
 namespace {
 
+constexpr double kControlPeriod = 0.1;  // s between commands, as the Create driver's loop
+constexpr int kPlanEvery = 2;           // commands between plans
+
 /// A simulated robot that a controller leads along the agent's plans.
 class ControlledRobot : public LoopRobot {
  public:
@@ -25,7 +28,7 @@ class ControlledRobot : public LoopRobot {
         correct_drift_(correct_drift),
         listener_(listener),
         tracker_(parameters.motion) {
-    tracker_.expectReactionTime(parameters.robot.longestScanPeriod(), parameters.control_period);
+    tracker_.expectReactionTime(parameters.robot.longestScanPeriod(), kControlPeriod);
     const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry starts at the start
     goal_ = {goal.x, goal.y, 0.0};
   }
@@ -43,7 +46,7 @@ class ControlledRobot : public LoopRobot {
     } catch (const UnusableScan&) {
       // Somebody is so near to the scanner that it measures nothing. The plugins stop the robot then.
       robot_.command({});
-      robot_.advance(parameters_.control_period);
+      robot_.advance(kControlPeriod);
       return false;
     }
     next_scan_ = robot_.time() + scanPeriod() - kSameTime;
@@ -55,17 +58,17 @@ class ControlledRobot : public LoopRobot {
   }
 
   void carryOut(const Situation& situation, const Decision& decision, const NavigationAgent& agent) override {
-    if (tick_++ % parameters_.plan_every == 0) {
+    if (tick_++ % kPlanEvery == 0) {
       const Decision& bent = band_.bend(agent, situation.pose, decision, parameters_.rollout.clearance);
       rollOut(situation, bent, agent.shield(), goal_, agent.parameters(), parameters_.rollout, &plan_);
     }
     const MotionCommand command =
-        tracker_.compute(plan_, situation, robot_.measuredTwist(), agent.shield(), parameters_.control_period);
+        tracker_.compute(plan_, situation, robot_.measuredTwist(), agent.shield(), kControlPeriod);
     if (command.stop != StopReason::kStuck) stuck_since_.reset();
     if (command.stop == StopReason::kStuck && !stuck_since_) stuck_since_ = robot_.time();
     robot_.command(command);
     if (listener_) listener_({robot_.time(), robot_.truePose(), situation, plan_, agent});
-    robot_.advance(parameters_.control_period);
+    robot_.advance(kControlPeriod);
   }
 
   /// Whether move_base would stop trying, whose controller_patience is about as long.

@@ -35,10 +35,8 @@ struct DriveParameters {
   SimulatedRobot::Parameters robot;
   MotionParameters motion;
   RolloutParameters rollout;
-  double control_period = 0.1;  ///< s between commands, as the Create driver's loop
-  int plan_every = 2;           ///< commands between plans
-  double time_limit = 1800.0;   ///< s
-  double goal_radius = 0.3;     ///< m between true position and goal to count as arrival
+  double time_limit = 1800.0;  ///< s
+  double goal_radius = 0.3;    ///< m between true position and goal to count as arrival
   Arrival arrival = Arrival::kRobotSays;
   bool ends_at_touch = false;  ///< with the first contact, or the first body that runs into the robot
 };
