@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace lstm_planner {
 namespace {
@@ -17,19 +18,19 @@ Crowd::Crowd(const World& surroundings, const std::vector<Point2>& places, const
              const Point2& robot, std::uint64_t seed)
     : Traffic(surroundings), places_(places), parameters_(parameters), random_(seed) {
   for (int i = 0; i < parameters_.walkers; ++i) {
-    Walker walker;
-    walker.body.radius = uniform(random_, parameters_.smallest_radius, parameters_.largest_radius);
-    walker.speed = uniform(random_, parameters_.slowest, parameters_.fastest);
-    const double distance = parameters_.first_distance + walker.body.radius;
+    Circle body;
+    body.radius = uniform(random_, parameters_.smallest_radius, parameters_.largest_radius);
+    const double speed = uniform(random_, parameters_.slowest, parameters_.fastest);
+    const double distance = parameters_.first_distance + body.radius;
     int tries = 0;
     do {
       if (++tries > kWalkerTries) throw std::invalid_argument("there is no place for a walker away from the robot");
-      walker.body.center = drawPlace(walker.body.radius);
-    } while (distanceBetween(walker.body.center, robot) < distance);
-    walker.destination = drawPlace(walker.body.radius);
-    walkers_.push_back(walker);
+      body.center = drawPlace(body.radius);
+    } while (distanceBetween(body.center, robot) < distance);
+    bodies_.push_back({body, false});
+    walkers_.push_back({speed, drawPlace(body.radius), 0.0});
   }
-  show(bodies());
+  show();
 }
 
 Point2 Crowd::drawPlace(double radius) {
@@ -40,42 +41,37 @@ Point2 Crowd::drawPlace(double radius) {
   throw std::invalid_argument("there is no place for a walker of radius " + std::to_string(radius) + " m");
 }
 
-std::vector<Traffic::Body> Crowd::bodies() const {
-  std::vector<Body> bodies;
-  for (const Walker& walker : walkers_) bodies.push_back({walker.body, walker.beside_robot});
-  return bodies;
-}
-
 std::vector<Circle> Crowd::advance(double seconds, const Footprint& robot, const Pose2& pose) {
   std::vector<Circle> meetings;
-  for (Walker& walker : walkers_) step(seconds, robot, pose, &walker, &meetings);
-  show(bodies());
+  for (std::size_t i = 0; i < walkers_.size(); ++i) {
+    if (step(seconds, robot, pose, &walkers_[i], &bodies_[i])) meetings.push_back(bodies_[i].circle);
+  }
+  show();
   return meetings;
 }
 
-void Crowd::step(double seconds, const Footprint& robot, const Pose2& pose, Walker* walker,
-                 std::vector<Circle>* meetings) {
-  const double air = airBetween(robot, pose, walker->body);
-  if (air > kMeetingEnds) walker->beside_robot = false;
+bool Crowd::step(double seconds, const Footprint& robot, const Pose2& pose, Walker* walker, Body* body) {
+  Circle& circle = body->circle;
+  const double air = airBetween(robot, pose, circle);
+  if (air > kMeetingEnds) body->beside_robot = false;
   if (walker->standing > 0.0) {
     walker->standing -= seconds;
-    if (walker->standing <= 0.0) walker->destination = drawPlace(walker->body.radius);
-    return;
+    if (walker->standing <= 0.0) walker->destination = drawPlace(circle.radius);
+    return false;
   }
-  const double left = distanceBetween(walker->body.center, walker->destination);
+  const double left = distanceBetween(circle.center, walker->destination);
   const double path = std::min(left, walker->speed * seconds);
-  const Point2 next = pointAlong(walker->body.center, directionTo(walker->body.center, walker->destination), path);
+  const Point2 next = pointAlong(circle.center, directionTo(circle.center, walker->destination), path);
   // One that the robot has pushed against may still walk away from it.
-  const double next_air = airBetween(robot, pose, {next, walker->body.radius});
+  const double next_air = airBetween(robot, pose, {next, circle.radius});
   if (next_air < 0.0 && next_air < air) {
-    if (!walker->beside_robot) meetings->push_back(walker->body);
-    walker->beside_robot = true;
     walker->standing = uniform(random_, parameters_.shortest_stand, parameters_.longest_stand);
-    return;
+    return !std::exchange(body->beside_robot, true);
   }
-  const bool walled = surroundings().touches(next, walker->body.radius);
-  if (!walled) walker->body.center = next;
-  if (walled || path >= left) walker->destination = drawPlace(walker->body.radius);
+  const bool walled = surroundings().touches(next, circle.radius);
+  if (!walled) circle.center = next;
+  if (walled || path >= left) walker->destination = drawPlace(circle.radius);
+  return false;
 }
 
 std::vector<Point2> standingPlaces(const GridWorld& world, double radius) {

@@ -176,7 +176,7 @@ class Run {
     result_.led.push_back(decision.choice);
     result_.on_path.push_back(decision.on_route);
     if (traffic_ == nullptr) return;
-    const std::vector<Traffic::Body> bodies = traffic_->bodies();
+    const std::vector<Traffic::Body>& bodies = traffic_->bodies();
     for (std::size_t i = 0; i < bodies.size(); ++i) result_.walker_traces[i].push_back(bodies[i].circle.center);
   }
 

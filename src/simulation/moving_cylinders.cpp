@@ -79,7 +79,7 @@ MovingCylinders::MovingCylinders(const World& surroundings, const MovingCylinder
     routes_.push_back(drawRoute(robot));
     bodies_.push_back({{routes_.back().corners.front(), kCylinderRadius}, false});
   }
-  show(bodies_);
+  show();
 }
 
 MovingCylinders::Route MovingCylinders::drawRoute(const Point2& robot) {
@@ -163,7 +163,7 @@ std::vector<Circle> MovingCylinders::advance(double seconds, const Footprint& ro
     if (meets && !body.beside_robot) meetings.push_back(body.circle);
     body.beside_robot = meets;
   }
-  show(bodies_);
+  show();
   return meetings;
 }
 

@@ -54,7 +54,7 @@ void SimulatedRobot::obeyCommands() {
 bool SimulatedRobot::isBrushedBy(const Pose2& pose, const Point2& velocity) const {
   if (traffic_ == nullptr || traffic_->surroundings().touches(footprint_, pose)) return false;
   const Point2 position{pose.x, pose.y};
-  const std::vector<Traffic::Body> bodies = traffic_->bodies();
+  const std::vector<Traffic::Body>& bodies = traffic_->bodies();
   return std::all_of(bodies.begin(), bodies.end(), [&](const Traffic::Body& body) {
     const bool touches = airBetween(footprint_, pose, body.circle) < 0.0;
     return !touches || (body.beside_robot && approachSpeed(position, velocity, body.circle.center) <= kStandingSpeed);

@@ -26,13 +26,11 @@ struct CrowdParameters {
 /// next step would touch it: then they stand for a while and go elsewhere. Deterministic for a seed.
 class Crowd : public Traffic {
  public:
-  /// One of the people.
+  /// What one of the people is about; its body is the one of the same number.
   struct Walker {
-    Circle body;
     double speed = 0.0;  ///< m/s
     Point2 destination;
-    double standing = 0.0;      ///< s left
-    bool beside_robot = false;  ///< it has met the robot and not left it since
+    double standing = 0.0;  ///< s left
   };
 
   /// `surroundings` and `places`, where walkers start and go to, must outlive the crowd; places where a walker does not
@@ -42,13 +40,13 @@ class Crowd : public Traffic {
         const Point2& robot, std::uint64_t seed);
 
   std::vector<Circle> advance(double seconds, const Footprint& robot, const Pose2& pose) override;
-  std::vector<Body> bodies() const override;
 
   const std::vector<Walker>& walkers() const { return walkers_; }
 
  private:
   Point2 drawPlace(double radius);
-  void step(double seconds, const Footprint& robot, const Pose2& pose, Walker* walker, std::vector<Circle>* meetings);
+  /// Lets one of them walk. Whether it has run into the robot, in a new meeting.
+  bool step(double seconds, const Footprint& robot, const Pose2& pose, Walker* walker, Body* body);
 
   const std::vector<Point2>& places_;
   CrowdParameters parameters_;

@@ -55,7 +55,6 @@ class MovingCylinders : public Traffic {
                   std::uint64_t seed);
 
   std::vector<Circle> advance(double seconds, const Footprint& robot, const Pose2& pose) override;
-  std::vector<Body> bodies() const override { return bodies_; }
 
  private:
   /// The path of a cylinder, and where it is on it.
@@ -73,7 +72,6 @@ class MovingCylinders : public Traffic {
   MovingCylindersParameters parameters_;
   Random random_;
   std::vector<Route> routes_;
-  std::vector<Body> bodies_;
 };
 
 }  // namespace lstm_planner

@@ -22,15 +22,17 @@ class Traffic : public CircleWorld {
   /// the robot, which is at `pose`, each once a meeting.
   virtual std::vector<Circle> advance(double seconds, const Footprint& robot, const Pose2& pose) = 0;
 
-  virtual std::vector<Body> bodies() const = 0;  ///< always in the same order
+  const std::vector<Body>& bodies() const { return bodies_; }  ///< always in the same order
   const World& surroundings() const { return surroundings_; }
 
  protected:
   /// The bodies have moved: they are seen and touched where they are now.
-  void show(const std::vector<Body>& bodies) {
+  void show() {
     circles().clear();
-    for (const Body& body : bodies) circles().push_back(body.circle);
+    for (const Body& body : bodies_) circles().push_back(body.circle);
   }
+
+  std::vector<Body> bodies_;
 
  private:
   const World& surroundings_;

@@ -29,11 +29,13 @@ using CrowdTest = InAHall;
 TEST_F(CrowdTest, BeginsAwayFromTheRobotAndOffTheWalls) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Crowd people = crowd(seed);
+    for (const Traffic::Body& body : people.bodies()) {
+      EXPECT_GE(distanceBetween(body.circle.center, Point2{5.0, 5.0}), 1.0 + body.circle.radius);
+      EXPECT_FALSE(hall.touches(body.circle.center, body.circle.radius));
+      EXPECT_GE(body.circle.radius, 0.2);
+      EXPECT_LE(body.circle.radius, 0.3);
+    }
     for (const Crowd::Walker& walker : people.walkers()) {
-      EXPECT_GE(distanceBetween(walker.body.center, Point2{5.0, 5.0}), 1.0 + walker.body.radius);
-      EXPECT_FALSE(hall.touches(walker.body.center, walker.body.radius));
-      EXPECT_GE(walker.body.radius, 0.2);
-      EXPECT_LE(walker.body.radius, 0.3);
       EXPECT_GE(walker.speed, 0.3);
       EXPECT_LE(walker.speed, 1.0);
     }
@@ -44,13 +46,13 @@ TEST_F(CrowdTest, WalksAtItsSpeedAndNeverThroughAWall) {
   Crowd people = crowd(3);
   std::vector<double> walked(people.walkers().size(), 0.0);
   for (int i = 0; i < 3000; ++i) {
-    const std::vector<Crowd::Walker> before = people.walkers();
+    const std::vector<Traffic::Body> before = people.bodies();
     people.advance(kPeriod, Footprint(0.01), kNowhere);
     for (std::size_t k = 0; k < before.size(); ++k) {
-      const Crowd::Walker& walker = people.walkers()[k];
-      const double path = distanceBetween(before[k].body.center, walker.body.center);
-      ASSERT_LE(path, walker.speed * kPeriod + 1e-12);
-      ASSERT_FALSE(hall.touches(walker.body.center, walker.body.radius));
+      const Circle& body = people.bodies()[k].circle;
+      const double path = distanceBetween(before[k].circle.center, body.center);
+      ASSERT_LE(path, people.walkers()[k].speed * kPeriod + 1e-12);
+      ASSERT_FALSE(hall.touches(body.center, body.radius));
       walked[k] += path;
     }
   }
@@ -63,29 +65,30 @@ TEST_F(CrowdTest, WalksAtItsSpeedAndNeverThroughAWall) {
 TEST_F(CrowdTest, StandsBeforeTheRobotAndThenGoesElsewhere) {
   Crowd people = crowd(5, 1);
   // In the walker's way, half a metre of air between them.
-  const Crowd::Walker walker = people.walkers()[0];
-  const double distance = walker.body.radius + 0.17425 + 0.5;
-  const Point2 ahead = pointAlong(walker.body.center, directionTo(walker.body.center, walker.destination), distance);
-  ASSERT_GT(distanceBetween(walker.body.center, walker.destination), distance);
+  const Circle body = people.bodies()[0].circle;
+  const Point2 destination = people.walkers()[0].destination;
+  const double distance = body.radius + 0.17425 + 0.5;
+  const Point2 ahead = pointAlong(body.center, directionTo(body.center, destination), distance);
+  ASSERT_GT(distanceBetween(body.center, destination), distance);
   const Footprint robot({{0.1, 0.17}, {0.1, -0.17}, {-0.1, -0.17}, {-0.1, 0.17}});
   const Pose2 pose{ahead.x, ahead.y, 0.3};
   double stood = 0.0;
   int meetings = 0;
   for (double time = 0.0; time < 60.0; time += kPeriod) {
     meetings += static_cast<int>(people.advance(kPeriod, robot, pose).size());
-    const Crowd::Walker& now = people.walkers()[0];
-    ASSERT_GE(airBetween(robot, pose, now.body), 0.0);
-    stood += now.standing > 0.0 ? kPeriod : 0.0;
+    const Traffic::Body& now = people.bodies()[0];
+    ASSERT_GE(airBetween(robot, pose, now.circle), 0.0);
+    stood += people.walkers()[0].standing > 0.0 ? kPeriod : 0.0;
     if (meetings == 1 && !now.beside_robot) break;
   }
   EXPECT_EQ(meetings, 1);
   EXPECT_GE(stood, 0.5 - kPeriod);
-  EXPECT_FALSE(people.walkers()[0].beside_robot) << "it has gone on";
+  EXPECT_FALSE(people.bodies()[0].beside_robot) << "it has gone on";
 }
 
 TEST_F(CrowdTest, IsSeenAndFelt) {
   Crowd people = crowd(7, 1);
-  const Circle body = people.walkers()[0].body;
+  const Circle body = people.bodies()[0].circle;
   const double direction = directionTo(Point2{5.0, 5.0}, body.center);
   std::vector<double> ranges(1);
   people.castRays({5.0, 5.0}, direction, 0.01, 30.0, &ranges);
@@ -103,8 +106,8 @@ TEST_F(CrowdTest, IsTheSameForTheSameSeed) {
     a.advance(kPeriod, Footprint(0.01), kNowhere);
     b.advance(kPeriod, Footprint(0.01), kNowhere);
   }
-  EXPECT_EQ(a.walkers()[4].body.center.x, b.walkers()[4].body.center.x);
-  EXPECT_NE(a.walkers()[4].body.center.x, crowd(10).walkers()[4].body.center.x);
+  EXPECT_EQ(a.bodies()[4].circle.center.x, b.bodies()[4].circle.center.x);
+  EXPECT_NE(a.bodies()[4].circle.center.x, crowd(10).bodies()[4].circle.center.x);
 }
 
 TEST_F(CrowdTest, RefusesWorldsWithoutPlace) {

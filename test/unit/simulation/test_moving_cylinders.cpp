@@ -25,7 +25,8 @@ class MovingCylindersTest : public ::testing::Test {
 TEST_F(MovingCylindersTest, StartAtLeastThreeMetresFromTheRobot) {
   MovingCylindersParameters many;
   many.cylinders = 50;
-  for (const Traffic::Body& body : cylinders(many, 1).bodies()) {
+  const MovingCylinders moving = cylinders(many, 1);
+  for (const Traffic::Body& body : moving.bodies()) {
     EXPECT_GE(distanceBetween(body.circle.center, kRobot), 3.0 + body.circle.radius);
   }
 }
