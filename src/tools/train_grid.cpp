@@ -65,7 +65,6 @@ void addSet(const GridSetFiles& files, double weight, const GridTrainingOptions&
   selection.count = static_cast<std::size_t>(options.validation);
   maps->training.push_back(std::move(training));
   maps->validation.push_back(drawGridTasks(files, selection));
-  maps->weights.push_back(weight);
 }
 
 /// Scenarios of all lengths of the range alike, as many from each map.
@@ -106,7 +105,6 @@ void addGenerated(const std::string& name, const Generator& generate, const Grid
   const auto first_validation = grids.begin() + kTrainingMaps;
   maps->training.push_back({{grids.begin(), first_validation}, 1.0});
   maps->validation.push_back(drawTasks(name, {first_validation, grids.end()}, options));
-  maps->weights.push_back(1.0);
 }
 
 void generate(const GridTrainingOptions& options, GridTrainingMaps* maps) {
@@ -188,7 +186,7 @@ GridTrainingMaps loadGridTrainingMaps(const GridTrainingOptions& options) {
 std::vector<GridCourse::Set> validationMaps(const GridTrainingMaps& maps) {
   std::vector<GridCourse::Set> sets;
   for (std::size_t i = 0; i < maps.validation.size(); ++i) {
-    sets.push_back({maps.validation[i].maps, maps.weights[i]});
+    sets.push_back({maps.validation[i].maps, maps.training[i].weight});
   }
   return sets;
 }

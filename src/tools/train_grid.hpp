@@ -8,7 +8,6 @@
 #include "lstm_planner/grid_world/learning/grid_course.hpp"
 #include "lstm_planner/grid_world/world/movingai.hpp"
 #include "lstm_planner/network/layers.hpp"
-#include "lstm_planner/network/model_file.hpp"
 #include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/training_loop.hpp"
 #include "tools/command_line.hpp"
@@ -54,7 +53,6 @@ LayerStack firstLayers(const GridTrainingOptions& options);
 struct GridTrainingMaps {
   std::vector<GridCourse::Set> training;
   std::vector<GridTaskSet> validation;
-  std::vector<double> weights;  ///< of the sets, > 0
 };
 
 /// Of the folders, or generated. Throws std::invalid_argument for folders and weights that cannot be used and
