@@ -111,7 +111,7 @@ nlohmann::json toJson(const Sums& sums) {
 void judgeByRecordings(const JudgeOptions& options, const DrivePolicy& policy) {
   const ConfusionMatrix taken = preferencesIn(readDatasetsFor(policy.description(), options.recordings), policy);
   std::cout << taken.sum() << " recorded steps: " << accuracyText(taken) << "\n"
-            << "majority-class baseline: " << majorityText(taken) << "\n";
+            << "majority-class baseline: " << accuracyText(constantAnswer(taken)) << "\n";
   if (options.json.empty()) return;
   const nlohmann::json json = {{"model", options.model},
                                {"steps", taken.sum()},

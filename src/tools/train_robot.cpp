@@ -165,6 +165,4 @@ std::string accuracyText(const ConfusionMatrix& confusion) {
   return "accuracy " + percentText(accuracyOf(confusion)) + ", balanced " + percentText(balancedAccuracy(confusion));
 }
 
-std::string majorityText(const ConfusionMatrix& confusion) { return accuracyText(constantAnswer(confusion)); }
-
 }  // namespace lstm_planner

@@ -71,7 +71,4 @@ std::string percentText(double share);
 /// "accuracy 88.3 %, balanced 55.3 %", of a row a label.
 std::string accuracyText(const ConfusionMatrix& confusion);
 
-/// The same of the majority-class baseline.
-std::string majorityText(const ConfusionMatrix& confusion);
-
 }  // namespace lstm_planner

@@ -1,5 +1,4 @@
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -7,6 +6,7 @@
 #include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/practice/drive_actor_critic.hpp"
 #include "lstm_planner/practice/recorded_choices.hpp"
+#include "lstm_planner/training/confusion.hpp"
 #include "tools/command.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_robot.hpp"
@@ -120,7 +120,8 @@ class RobotReinforcementHost : public ToolTrainingHost {
   /// How often the network would have done what the drivers of the recordings did.
   std::string agreement() const {
     const ConfusionMatrix taken = preferencesIn(validation_, DrivePolicy(policy_, training_.layers()));
-    return "; recordings: " + accuracyText(taken) + " (majority-class baseline: " + majorityText(taken) + ")";
+    return "; recordings: " + accuracyText(taken) +
+           " (majority-class baseline: " + accuracyText(constantAnswer(taken)) + ")";
   }
   double progress() const override { return static_cast<double>(training_.iterations()) / iterations_; }
   std::string position() const override { return "iteration " + std::to_string(training_.iterations()); }
