@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <locale>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include "lstm_planner/common/nearest_name.hpp"
@@ -105,9 +108,19 @@ void take(const CLI::Option& parsed, Option* option) {
   if (option->is_given) option->take(parsed.results());
 }
 
-const std::string& theOnly(const std::string& name, const std::vector<std::string>& values) {
-  if (values.size() == 1) return values.front();
-  throw std::invalid_argument(name + " is given " + std::to_string(values.size()) + " times, expected once");
+template <typename Number>
+Number numberOf(const std::string& name, const std::string& text, Range range) {
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  Number number{};
+  stream >> std::noskipws >> number;
+  const bool is_number = !stream.fail() && stream.peek() == std::istringstream::traits_type::eof();
+  // A stream takes -1 for the greatest of all numbers without a sign.
+  const bool is_wrapped = std::is_unsigned_v<Number> && text.find('-') != std::string::npos;
+  if (is_number && !is_wrapped && range.contains(static_cast<double>(number))) return number;
+  const bool quoted = text.find_first_not_of("+-.0123456789e") != std::string::npos || text.empty();
+  throw std::invalid_argument("--" + name + " is " + (quoted ? "'" + text + "'" : text) + ", expected a " +
+                              (std::is_integral_v<Number> ? "whole " : "") + "number in " + toText(range));
 }
 
 }  // namespace
@@ -149,12 +162,20 @@ Option& CommandLine::add(const std::string& name, const std::string& value_name,
   return options_.back();
 }
 
+Option& CommandLine::addSingle(const std::string& name, const std::string& value_name, const std::string& meaning,
+                               const std::function<void(const std::string&)>& take) {
+  return add(name, value_name, meaning, [=](const std::vector<std::string>& values) {
+    if (values.size() != 1) {
+      throw std::invalid_argument("--" + name + " is given " + std::to_string(values.size()) + " times, expected once");
+    }
+    take(values.front());
+  });
+}
+
 template <typename Number>
 Option& CommandLine::add(const std::string& name, Number* value, Range range, const std::string& meaning) {
-  const auto take = [=](const std::vector<std::string>& values) {
-    *value = numberOf<Number>("--" + name, theOnly("--" + name, values), range);
-  };
-  Option& option = add(name, "N", meaning + "; in " + toText(range), take);
+  Option& option = addSingle(name, "N", meaning + "; in " + toText(range),
+                             [=](const std::string& text) { *value = numberOf<Number>(name, text, range); });
   if (range.contains(static_cast<double>(*value))) option.default_text = toText(static_cast<double>(*value));
   option.value = [=] { return *value; };
   return option;
@@ -163,10 +184,8 @@ Option& CommandLine::add(const std::string& name, Number* value, Range range, co
 template <typename Number>
 Option& CommandLine::add(const std::string& name, std::optional<Number>* value, Range range,
                          const std::string& meaning) {
-  const auto take = [=](const std::vector<std::string>& values) {
-    *value = numberOf<Number>("--" + name, theOnly("--" + name, values), range);
-  };
-  Option& option = add(name, "N", meaning + "; in " + toText(range), take);
+  Option& option = addSingle(name, "N", meaning + "; in " + toText(range),
+                             [=](const std::string& text) { *value = numberOf<Number>(name, text, range); });
   option.value = [=] { return *value ? nlohmann::json(**value) : nlohmann::json(); };
   return option;
 }
@@ -181,7 +200,7 @@ template Option& CommandLine::add(const std::string&, std::optional<double>*, Ra
 Option& CommandLine::add(const std::string& name, std::vector<int>* values, Range range, const std::string& meaning) {
   const auto take = [=](const std::vector<std::string>& texts) {
     values->clear();
-    for (const std::string& text : texts) values->push_back(numberOf<int>("--" + name, text, range));
+    for (const std::string& text : texts) values->push_back(numberOf<int>(name, text, range));
   };
   Option& option = add(name, "N...", meaning + "; in " + toText(range), take);
   option.takes_several = true;
@@ -192,8 +211,7 @@ Option& CommandLine::add(const std::string& name, std::vector<int>* values, Rang
 }
 
 Option& CommandLine::add(const std::string& name, std::string* value, const std::string& meaning) {
-  Option& option = add(name, "TEXT", meaning,
-                       [=](const std::vector<std::string>& values) { *value = theOnly("--" + name, values); });
+  Option& option = addSingle(name, "TEXT", meaning, [=](const std::string& text) { *value = text; });
   option.default_text = *value;
   option.value = [=] { return *value; };
   return option;
@@ -208,8 +226,8 @@ Option& CommandLine::add(const std::string& name, std::vector<std::string>* valu
 }
 
 Option& CommandLine::add(const std::string& name, bool* value, const std::string& meaning) {
-  Option& option = add(name, "N", meaning, [=](const std::vector<std::string>& values) {
-    *value = numberOf<int>("--" + name, theOnly("--" + name, values), {0, 1}) == 1;
+  Option& option = addSingle(name, "N", meaning, [=](const std::string& text) {
+    *value = numberOf<int>(name, text, {0, 1}) == 1;
   });
   option.default_text = *value ? "1" : "0";
   option.value = [=] { return *value; };
@@ -217,8 +235,8 @@ Option& CommandLine::add(const std::string& name, bool* value, const std::string
 }
 
 Option& CommandLine::addSeed(std::uint64_t* seed, const std::string& meaning) {
-  Option& option = add("seed", "N", meaning, [=](const std::vector<std::string>& values) {
-    *seed = numberOf<std::uint64_t>("--seed", theOnly("--seed", values), {0.0, 18446744073709551615.0});
+  Option& option = addSingle("seed", "N", meaning, [=](const std::string& text) {
+    *seed = numberOf<std::uint64_t>("seed", text, {0.0, 18446744073709551615.0});
   });
   option.default_text = std::to_string(*seed);
   option.value = [=] { return *seed; };
@@ -227,16 +245,15 @@ Option& CommandLine::addSeed(std::uint64_t* seed, const std::string& meaning) {
 
 Option& CommandLine::addChoice(const std::string& name, std::string* value, const std::vector<std::string>& names,
                                const std::string& meaning) {
-  const auto take = [=](const std::vector<std::string>& values) { *value = names[choose(name, values, names)]; };
-  Option& option = add(name, "NAME", meaning, take);
+  Option& option =
+      addSingle(name, "NAME", meaning, [=](const std::string& text) { *value = names[choose(name, text, names)]; });
   option.default_text = *value;
   option.value = [=] { return *value; };
   return option;
 }
 
-std::size_t CommandLine::choose(const std::string& name, const std::vector<std::string>& values,
+std::size_t CommandLine::choose(const std::string& name, const std::string& value,
                                 const std::vector<std::string>& names) {
-  const std::string value = theOnly("--" + name, values);
   const auto found = std::find(names.begin(), names.end(), value);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   throw std::invalid_argument("--" + name + " is '" + value + "', expected " + joinedByOr(names));
@@ -245,9 +262,9 @@ std::size_t CommandLine::choose(const std::string& name, const std::vector<std::
 Option& CommandLine::addText(const std::string& name, const std::string& default_text,
                              const std::function<void(const std::string&)>& take, const std::string& meaning) {
   const auto given = std::make_shared<std::string>(default_text);
-  Option& option = add(name, "TEXT", meaning, [=](const std::vector<std::string>& values) {
-    *given = theOnly("--" + name, values);
-    take(*given);
+  Option& option = addSingle(name, "TEXT", meaning, [=](const std::string& text) {
+    *given = text;
+    take(text);
   });
   option.default_text = default_text;
   option.value = [=] { return *given; };

@@ -161,6 +161,9 @@ class CommandLine {
  private:
   Option& add(const std::string& name, const std::string& value_name, const std::string& meaning,
               std::function<void(const std::vector<std::string>&)> take);
+  /// It may be given once, with one value.
+  Option& addSingle(const std::string& name, const std::string& value_name, const std::string& meaning,
+                    const std::function<void(const std::string&)>& take);
   std::string usage() const;
   void checkOutputs() const;
 
@@ -170,8 +173,7 @@ class CommandLine {
   std::deque<Option> options_;  // which stay where they are
   std::vector<std::function<void()>> finishes_;
   /// Throws as parse() where the value is none of the names; the number of the name otherwise.
-  static std::size_t choose(const std::string& name, const std::vector<std::string>& values,
-                            const std::vector<std::string>& names);
+  static std::size_t choose(const std::string& name, const std::string& value, const std::vector<std::string>& names);
 
   struct Output {
     std::string name;
@@ -191,8 +193,8 @@ std::vector<std::string> namesOf(const Choices<T>& choices) {
 template <typename T>
 Option& CommandLine::addChoice(const std::string& name, T* value, const Choices<T>& choices,
                                const std::string& meaning) {
-  Option& option = add(name, "NAME", meaning, [=](const std::vector<std::string>& values) {
-    *value = choices[choose(name, values, namesOf(choices))].second;
+  Option& option = addSingle(name, "NAME", meaning, [=](const std::string& text) {
+    *value = choices[choose(name, text, namesOf(choices))].second;
   });
   option.default_text = nameOf(*value, choices);
   option.value = [=] { return nameOf(*value, choices); };
@@ -204,7 +206,7 @@ Option& CommandLine::addChoices(const std::string& name, std::vector<T>* values,
                                 const std::string& meaning) {
   Option& option = add(name, "NAME...", meaning, [=](const std::vector<std::string>& texts) {
     values->clear();
-    for (const std::string& text : texts) values->push_back(choices[choose(name, {text}, namesOf(choices))].second);
+    for (const std::string& text : texts) values->push_back(choices[choose(name, text, namesOf(choices))].second);
   });
   option.takes_several = true;
   option.value = [=] {

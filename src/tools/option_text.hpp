@@ -7,11 +7,6 @@
 
 namespace lstm_planner {
 
-/// The number (int, long, unsigned long or double) that the text is. Throws std::invalid_argument
-/// "NAME is TEXT, expected a number in [LEAST, MOST]" for another text and beyond the range.
-template <typename Number>
-Number numberOf(const std::string& name, const std::string& text, Range range);
-
 /// "[0, 1]"
 std::string toText(Range range);
 
