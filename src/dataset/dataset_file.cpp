@@ -71,7 +71,7 @@ void DatasetFile::open(int patience) {
   session_.emplace("SQLite", std::filesystem::absolute(path_).string(), kLoginTimeout);
   guard_.emplace(*session_);
   allowWork();
-  setPatience(patience);
+  execute("PRAGMA busy_timeout = " + std::to_string(patience));
   // With a rollback journal the one file is the whole dataset whenever nobody is writing; a write-ahead log would keep
   // the newest steps in a second file. EXTRA also syncs the folder, so that no journal is replayed after a power cut.
   execute("PRAGMA synchronous = EXTRA");
@@ -126,8 +126,6 @@ void DatasetFile::checkLength() {
   }
 }
 
-void DatasetFile::setPatience(int patience) { execute("PRAGMA busy_timeout = " + std::to_string(patience)); }
-
 void DatasetFile::execute(const std::string& statement) { *session_ << statement, now; }
 
 std::optional<long> DatasetFile::numberOf(const std::string& query) {
@@ -164,7 +162,7 @@ void DatasetFile::fail(const std::exception& error) {
   throw DatasetError(sentence);
 }
 
-QueryGuard::QueryGuard(const Poco::Data::Session& session) : work_(std::make_unique<Work>()) {
+QueryGuard::QueryGuard(const Poco::Data::Session& session) : calls_left_(std::make_unique<std::int64_t>()) {
   sqlite3* const database = Poco::Data::SQLite::Utility::dbHandle(session);
   sqlite3_limit(database, SQLITE_LIMIT_LENGTH, kLongestValue);
   sqlite3_limit(database, SQLITE_LIMIT_SQL_LENGTH, kLongestValue);
@@ -177,12 +175,12 @@ QueryGuard::QueryGuard(const Poco::Data::Session& session) : work_(std::make_uni
   sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
 #endif
   allow(0);
-  const auto count = [](void* work) { return --static_cast<Work*>(work)->left < 0 ? 1 : 0; };
-  sqlite3_progress_handler(database, kOperationsACall, count, work_.get());
+  const auto count = [](void* left) { return --*static_cast<std::int64_t*>(left) < 0 ? 1 : 0; };
+  sqlite3_progress_handler(database, kOperationsACall, count, calls_left_.get());
 }
 
 void QueryGuard::allow(std::uintmax_t bytes) {
-  work_->left = kCallsOfAnEmptyFile + static_cast<std::int64_t>(bytes / kOperationsACall * kOperationsAByte);
+  *calls_left_ = kCallsOfAnEmptyFile + static_cast<std::int64_t>(bytes / kOperationsACall * kOperationsAByte);
 }
 
 }  // namespace lstm_planner

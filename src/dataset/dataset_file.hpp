@@ -26,13 +26,10 @@ class QueryGuard {
   void allow(std::uintmax_t bytes);
 
   /// Whether the last query was ended because it took too long.
-  bool hasEndedQuery() const { return work_->left < 0; }
+  bool hasEndedQuery() const { return *calls_left_ < 0; }
 
  private:
-  struct Work {
-    std::int64_t left = 0;  ///< calls of the progress handler
-  };
-  std::unique_ptr<Work> work_;
+  std::unique_ptr<std::int64_t> calls_left_;  ///< of the progress handler
 };
 
 /// An open dataset file, which nobody need trust. What SQLite complains about is thrown as DatasetError, one sentence
@@ -70,11 +67,7 @@ class DatasetFile {
   /// The first number of a query's first row; empty when there is none. Throws DatasetError.
   std::optional<long> numberOf(const std::string& query);
 
-  /// ms to wait for others who have the file locked.
-  void setPatience(int patience);
-
   Poco::Data::Session& session() { return *session_; }
-  const std::string& path() const { return path_; }
 
  private:
   template <typename Work>

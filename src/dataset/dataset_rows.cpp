@@ -70,8 +70,6 @@ std::vector<float> toRanges(const BLOB& blob, int beams) {
 
 }  // namespace
 
-DatasetRows::DatasetRows(DatasetFile* file) : file_(file) {}
-
 void DatasetRows::addRecording(long id, const RecordingDescription& description) {
   file_->session()
       << "INSERT INTO recordings (id, source, software_version, odometry_frame, begun, parameters, finished) "

@@ -27,7 +27,7 @@ struct StepRow {
 class DatasetRows {
  public:
   /// `file` must outlive the object.
-  explicit DatasetRows(DatasetFile* file);
+  explicit DatasetRows(DatasetFile* file) : file_(file) {}
   DatasetRows(const DatasetRows&) = delete;
   DatasetRows& operator=(const DatasetRows&) = delete;
 
