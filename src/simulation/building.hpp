@@ -32,8 +32,8 @@ struct Building {
   std::vector<CellBox> doors;
 };
 
-/// A length in whole cells.
-int toCells(double metres, const FloorPlanParameters& parameters);
+/// A length in whole cells, one at least; `resolution`: m a cell.
+int toCells(double metres, double resolution);
 
 /// Sets all cells of a box.
 void fillBox(const CellBox& box, Cell cell, OccupancyGrid* grid);

@@ -112,9 +112,9 @@ class Digger {
 }  // namespace
 
 OccupancyGrid generateCorridorWorld(const CorridorWorldParameters& parameters, std::uint64_t seed) {
-  const auto cells = [&](double metres) { return static_cast<int>(std::lround(metres / parameters.resolution)); };
-  const OccupancyGrid solid(cells(parameters.width), cells(parameters.height), parameters.resolution, {},
-                            Cell::kOccupied);
+  const double resolution = parameters.resolution;
+  const OccupancyGrid solid(toCells(parameters.width, resolution), toCells(parameters.height, resolution), resolution,
+                            {}, Cell::kOccupied);
   OccupancyGrid grid = solid;
   Random random(seed);
   // In one world of some hundred hardly a corridor finds room beside the first.

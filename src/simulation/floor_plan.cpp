@@ -31,9 +31,9 @@ class RoomCutter {
  public:
   RoomCutter(const FloorPlanParameters& parameters, Random& random)
       : random_(random),
-        wall_(std::max(1, toCells(parameters.wall_thickness, parameters))),
-        room_(toCells(parameters.smallest_room, parameters)),
-        corridor_(toCells(std::max(kCorridorWidth, parameters.door_width + 3.0 * kDoorPost), parameters)) {}
+        wall_(toCells(parameters.wall_thickness, parameters.resolution)),
+        room_(toCells(parameters.smallest_room, parameters.resolution)),
+        corridor_(toCells(std::max(kCorridorWidth, parameters.door_width + 3.0 * kDoorPost), parameters.resolution)) {}
 
   std::vector<Room> cut(const CellBox& box) {
     cutByCorridor(box, box.width() >= box.height());
@@ -133,10 +133,10 @@ class Connections {
 };
 
 Building buildRooms(const FloorPlanParameters& parameters, Random& random) {
-  const int columns = toCells(parameters.width, parameters);
-  const int rows = toCells(parameters.height, parameters);
-  const int door = std::max(3, toCells(parameters.door_width, parameters));
-  const int post = toCells(kDoorPost, parameters);
+  const int columns = toCells(parameters.width, parameters.resolution);
+  const int rows = toCells(parameters.height, parameters.resolution);
+  const int door = std::max(3, toCells(parameters.door_width, parameters.resolution));
+  const int post = toCells(kDoorPost, parameters.resolution);
 
   RoomCutter cutter(parameters, random);
   const int wall = cutter.wall();
@@ -172,8 +172,8 @@ Building buildRooms(const FloorPlanParameters& parameters, Random& random) {
 
 }  // namespace
 
-int toCells(double metres, const FloorPlanParameters& parameters) {
-  return static_cast<int>(std::lround(metres / parameters.resolution));
+int toCells(double metres, double resolution) {
+  return std::max(1, static_cast<int>(std::lround(metres / resolution)));
 }
 
 void fillBox(const CellBox& box, Cell cell, OccupancyGrid* grid) {

@@ -41,10 +41,10 @@ class Forester {
   }
 
   OccupancyGrid draw(const std::vector<Circle>& poles) const {
-    const auto cells = [&](double metres) { return static_cast<int>(std::lround(metres / parameters_.resolution)); };
-    OccupancyGrid grid(cells(parameters_.width), cells(parameters_.height), parameters_.resolution, {},
+    const double resolution = parameters_.resolution;
+    OccupancyGrid grid(toCells(parameters_.width, resolution), toCells(parameters_.height, resolution), resolution, {},
                        Cell::kOccupied);
-    const int wall = std::max(1, cells(kForestWall));
+    const int wall = toCells(kForestWall, resolution);
     fillBox({wall, wall, grid.columns() - wall, grid.rows() - wall}, Cell::kFree, &grid);
     for (const Circle& pole : poles) draw(pole, &grid);
     return grid;

@@ -47,7 +47,7 @@ class Furnisher {
         building_(building),
         random_(random),
         gap_(static_cast<int>(std::ceil(parameters.smallest_gap / parameters.resolution - 1e-9))),
-        door_clearance_(toCells(std::max(parameters.smallest_gap, parameters.door_width), parameters)) {}
+        door_clearance_(toCells(std::max(parameters.smallest_gap, parameters.door_width), parameters.resolution)) {}
 
   std::vector<Furniture> place() {
     std::vector<std::size_t> rooms;
@@ -72,8 +72,9 @@ class Furnisher {
   bool propose(std::size_t room, Furniture* furniture) {
     furniture->room = room;
     furniture->is_round = uniform(random_) < 0.3;
-    int width = toCells(furniture->is_round ? uniform(random_, 0.3, 1.0) : uniform(random_, 0.6, 1.8), parameters_);
-    int height = furniture->is_round ? width : toCells(uniform(random_, 0.4, 0.9), parameters_);
+    int width =
+        toCells(furniture->is_round ? uniform(random_, 0.3, 1.0) : uniform(random_, 0.6, 1.8), parameters_.resolution);
+    int height = furniture->is_round ? width : toCells(uniform(random_, 0.4, 0.9), parameters_.resolution);
     if (uniform(random_) < 0.5) std::swap(width, height);
     if (width < 2 || height < 2) return false;
 

@@ -1,17 +1,12 @@
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "lstm_planner/common/random.hpp"
 #include "lstm_planner/grid/map_generators.hpp"
 #include "lstm_planner/simulation/generated_world.hpp"
+#include "simulation/building.hpp"
 
 namespace lstm_planner {
 namespace {
-
-int toCells(double metres, double resolution) {
-  return std::max(1, static_cast<int>(std::lround(metres / resolution)));
-}
 
 /// Takes walls out that have a corridor on both sides.
 void openLoops(double probability, Random& random, PassableGrid* maze) {
