@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/simulation/standing_cells.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -44,8 +45,7 @@ ScriptedDriver::ScriptedDriver(const GridWorld& world, const ScriptedDriverParam
 void ScriptedDriver::setGoal(const Point2& goal) {
   goal_ = goal;
   GeodesicField::Options options;
-  // Distances are between centres of cells, the obstacle starts half a cell before.
-  const double radius = parameters_.footprint_radius + 0.5 * world_.grid().resolution();
+  const double radius = distanceNeeded(parameters_.footprint_radius, world_.grid());
   options.clearance = radius + parameters_.clearance;
   options.comfort = radius + std::max(parameters_.comfort, parameters_.clearance);
   options.reluctance = parameters_.reluctance;
@@ -77,10 +77,6 @@ CellIndex ScriptedDriver::startOfPath(const Point2& position) const {
     }
   }
   return best;
-}
-
-double ScriptedDriver::distanceToGo(const Point2& position) const {
-  return field_ ? field_->at(startOfPath(position)) : std::numeric_limits<double>::infinity();
 }
 
 /// Whether all of a straight path is such that the robot may go there.
@@ -169,7 +165,7 @@ ScriptedDriver::Keys ScriptedDriver::steer(const Pose2& pose, double error) {
 ScriptedDriver::Keys ScriptedDriver::decide(const Pose2& pose) {
   const Point2 here{pose.x, pose.y};
   if (distanceBetween(here, goal_) < parameters_.arrival_distance) return {};
-  if (!std::isfinite(distanceToGo(here))) {
+  if (!std::isfinite(field_->at(startOfPath(here)))) {
     state_ = State::kNoPath;
     return {};
   }

@@ -88,8 +88,6 @@ class ScriptedDriver {
   Twist2 command(const Pose2& pose, double time);
 
   State state() const { return state_; }
-  /// m, of the path to the goal; +inf when there is none.
-  double distanceToGo(const Point2& position) const;
 
  private:
   /// Which keys are held.
