@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "lstm_planner/common/geometry.hpp"
-#include "lstm_planner/dataset/recorder_parameters.hpp"
 #include "lstm_planner/drive/decision/goal_tracker.hpp"
 #include "lstm_planner/drive/perception/laser_scan.hpp"
 #include "lstm_planner/drive/perception/observation.hpp"
