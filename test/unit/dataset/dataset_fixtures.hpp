@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <vector>
 
 #include "lstm_planner/common/random.hpp"
 #include "lstm_planner/dataset/dataset.hpp"
 #include "lstm_planner/drive/decision/action_set.hpp"
 #include "support/folder_test.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner {
 

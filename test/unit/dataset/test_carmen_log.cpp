@@ -1,8 +1,6 @@
 #include <Poco/DeflatingStream.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <numeric>
 #include <sstream>

@@ -21,26 +21,16 @@ class DatasetTrust : public ExampleFileTest {
   }
 
   std::string refusalOfReader() const {
-    return refusalOf([this] { readDataset(in("a.db"), true); });
+    return test::refusalOf<DatasetError>([this] { readDataset(in("a.db"), true); });
   }
   std::string refusalOfWriter() const {
-    return refusalOf([this] { DatasetWriter(in("a.db"), exampleDescription()); });
+    return test::refusalOf<DatasetError>([this] { DatasetWriter(in("a.db"), exampleDescription()); });
   }
   std::string noDataset(const std::string& reason) const {
     return "'" + in("a.db") + "' is no dataset of lstm_planner: " + reason;
   }
   std::string unreadable(const std::string& reason) const {
     return "dataset '" + in("a.db") + "' cannot be read: " + reason;
-  }
-
-  template <typename Work>
-  static std::string refusalOf(Work&& work) {
-    try {
-      work();
-    } catch (const DatasetError& error) {
-      return error.what();
-    }
-    return "done";
   }
 };
 
@@ -82,7 +72,7 @@ TEST_F(DatasetTrust, ANullInAColumnThatHasNoneIsRefused) {
 
 TEST_F(DatasetTrust, AQueryWithoutEndIsEnded) {
   DatasetFile file(in("a.db"), DatasetFile::Use::kRead, 0);
-  EXPECT_EQ(refusalOf([&] { file.transact([&] { file.execute(kEndless); }); }),
+  EXPECT_EQ(test::refusalOf<DatasetError>([&] { file.transact([&] { file.execute(kEndless); }); }),
             unreadable("a query took much longer than the file's length gives reason to"));
   EXPECT_EQ(file.numberOf("SELECT count(*) FROM recordings"), 1);
 }

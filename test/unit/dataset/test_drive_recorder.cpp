@@ -6,6 +6,7 @@
 #include <random>
 
 #include "lstm_planner/dataset/drive_recorder.hpp"
+#include "support/refusal.hpp"
 #include "unit/dataset/step_list.hpp"
 
 namespace lstm_planner::test_drive_recorder {
@@ -431,13 +432,8 @@ TEST(RecorderParameters, ComeBackFromJson) {
 TEST(RecorderParameters, AreRefusedWithTheirNameAndValue) {
   RecorderParameters parameters;
   parameters.max_gap = 0.4;
-  try {
-    validate(parameters);
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("max_gap is 0.4, expected more than period"), std::string::npos)
-        << error.what();
-  }
+  const std::string sentence = test::refusalOf<std::invalid_argument>([&] { validate(parameters); });
+  EXPECT_NE(sentence.find("max_gap is 0.4, expected more than period"), std::string::npos) << sentence;
 }
 
 TEST(DrivenAngle, IsTheDirectionToTheNextPoseRelativeToTheHeading) {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "lstm_planner/dataset/hindsight.hpp"
+#include "support/refusal.hpp"
 #include "unit/dataset/step_list.hpp"
 
 namespace lstm_planner::test_hindsight {
@@ -283,12 +283,7 @@ TEST(HindsightTest, ClocksThatAreSetBackTellEachGoalInItsTime) {
 
 TEST(HindsightTest, ParametersThatMakeNoSenseAreRefused) {
   const auto refusal = [](const HindsightParameters& parameters) {
-    try {
-      hindsightGoals({}, parameters, {}, "odom");
-    } catch (const std::invalid_argument& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::refusalOf<std::invalid_argument>([&] { hindsightGoals({}, parameters, {}, "odom"); });
   };
   EXPECT_EQ(refusal({0.0, 10.0, 2.0}), "parameter stop is 0, expected a number in [0.01, 86400]");
   EXPECT_EQ(refusal({2.0, 1.0, 2.0}), "parameter longest is 1, expected at least shortest = 2.000000");

@@ -26,6 +26,8 @@ std::string fileOf(const std::string& robot) { return LSTM_PLANNER_SOURCE_DIR "/
 class DriveRobots : public test::ToolTest {
  protected:
   static test::Outcome drive(const std::string& arguments) { return runTool("drive " + arguments); }
+  /// What --json out.json was told.
+  nlohmann::json result() const { return nlohmann::json::parse(bytesOf("out.json")); }
   std::string fileWith(const std::string& text) const {
     std::ofstream(in("robot.yaml")) << text;
     return in("robot.yaml");
@@ -38,8 +40,7 @@ TEST_P(EachRobot, ArrivesInRoomsWithoutTouchingAnything) {
   const test::Outcome outcome =
       drive("--worlds rooms --goals 4 --drift 0.02 --json " + in("out.json") + " --robot " + fileOf(GetParam()));
   ASSERT_EQ(outcome.status, 0) << outcome.output;
-  std::ifstream file(in("out.json"));
-  const nlohmann::json json = nlohmann::json::parse(file);
+  const nlohmann::json json = result();
   EXPECT_EQ(json["reached"], 4) << outcome.output;
   EXPECT_EQ(json["contacts"], 0) << outcome.output;
   // With 30 m of sight 1.14, with 3.5 m at most 1.63; a robot that forgets what is beyond its sight has 6.
@@ -53,8 +54,7 @@ TEST_F(DriveRobots, ARobotWithTwoScannersArrivesInRoomsWithoutTouchingAnything) 
   const test::Outcome outcome = drive("--worlds rooms --goals 4 --drift 0.02 --json " + in("out.json") +
                                       " --robot " LSTM_PLANNER_SOURCE_DIR "/test/ros/two_scanners.yaml");
   ASSERT_EQ(outcome.status, 0) << outcome.output;
-  std::ifstream file(in("out.json"));
-  const nlohmann::json json = nlohmann::json::parse(file);
+  const nlohmann::json json = result();
   EXPECT_EQ(json["reached"], 4) << outcome.output;
   EXPECT_EQ(json["contacts"], 0) << outcome.output;
 }
@@ -106,8 +106,7 @@ TEST_F(DriveRobots, WorldsThatARobotDoesNotFitIntoAreLeftOutAndCounted) {
   const test::Outcome outcome =
       drive("--worlds rooms --goals 12 --time-limit 1 --json " + in("out.json") + " --robot " + diskOf("0.4"));
   ASSERT_EQ(outcome.status, 0) << outcome.output;
-  std::ifstream file(in("out.json"));
-  const nlohmann::json json = nlohmann::json::parse(file);
+  const nlohmann::json json = result();
   EXPECT_GT(json["left_out"], 0);
   EXPECT_GT(json["goals"], 0);
   EXPECT_EQ(json["left_out"].get<int>() + json["goals"].get<int>(), 12);
@@ -135,8 +134,7 @@ TEST_F(DriveRobots, AJackalThatGoesBackInAMazeTouchesNothing) {
   const test::Outcome outcome =
       drive("--worlds mazes --goals 6 --only 5 --drift 0.02 --robot " + fileOf("jackal") + " --json " + in("out.json"));
   ASSERT_EQ(outcome.status, 0) << outcome.output;
-  std::ifstream file(in("out.json"));
-  const nlohmann::json json = nlohmann::json::parse(file);
+  const nlohmann::json json = result();
   EXPECT_EQ(json["reached"], 1) << outcome.output;
   EXPECT_EQ(json["contacts"], 0) << outcome.output;
 }
@@ -146,8 +144,7 @@ TEST_F(DriveRobots, AJackalThatEvadesArrivesAmongCylindersWhereOneThatWaitsIsRun
     const test::Outcome outcome =
         drive("--worlds dynabarn --drift 0.02 --robot " + fileOf("jackal") + options + " --json " + in("out.json"));
     EXPECT_EQ(outcome.status, 0) << outcome.output;
-    std::ifstream file(in("out.json"));
-    return nlohmann::json::parse(file)["reached"].get<int>();
+    return result()["reached"].get<int>();
   };
   // 133 of 180 with seeds 1 to 3, less two standard deviations of 60 drives. One that waits has 75 of 180.
   EXPECT_GE(reached(" --evade 2.5"), 38);

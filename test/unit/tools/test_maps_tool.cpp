@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "lstm_planner/grid/map_server_map.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
@@ -20,13 +19,6 @@ class MapsTool : public test::ToolTest {
   void success(const std::string& arguments) const {
     const test::Outcome outcome = runTool(arguments);
     ASSERT_EQ(outcome.status, 0) << arguments << "\n" << outcome.output;
-  }
-
-  std::string textOf(const std::string& name) const {
-    std::ifstream file(in(name));
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
   }
 };
 
@@ -63,7 +55,7 @@ TEST_F(MapsTool, AnUnknownKindIsRefused) {
 TEST_F(MapsTool, ReportShowsHowLongNetworksRemember) {
   success("report --memory-task --delays 3 5 --shown-delay 5 --sequences 64 --epochs 2 --seeds 1 --output " +
           in("memory"));
-  const std::string report = textOf("memory/memory.md");
+  const std::string report = bytesOf("memory/memory.md");
   for (const char* said : {"| RNN 8 | 114 |", "| LSTM 8, bias 1 | 402 |", "spectral radius"}) {
     EXPECT_NE(report.find(said), std::string::npos) << said << "\n" << report;
   }
@@ -77,7 +69,7 @@ TEST_F(MapsTool, ReportShowsHowLongNetworksRemember) {
 
 TEST_F(MapsTool, ReportComparesTablesOfValuesWithAgents) {
   success("report --q-table --size 16 --maps 1 --starts 5 --episodes 1 50 --agents greedy --output " + in("table.md"));
-  const std::string report = textOf("table.md");
+  const std::string report = bytesOf("table.md");
   for (const char* said : {"| mazes | table, 50 episodes |", "| caves | greedy | - |"}) {
     EXPECT_NE(report.find(said), std::string::npos) << said << "\n" << report;
   }
@@ -87,7 +79,7 @@ TEST_F(MapsTool, ReportComparesAgentsInTablesAndPictures) {
   success("maps --kind maze --corridor-width 4 --columns 48 --rows 48 --name it --output " + in("mazes"));
   success("report --output " + in("report") + " --scenarios " + in("mazes") +
           " --agents astar dstar boundary lstm=" LSTM_PLANNER_SOURCE_DIR "/models/grid_lstm_2x8.onnx --count 20");
-  const std::string report = textOf("report/report.md");
+  const std::string report = bytesOf("report/report.md");
   for (const char* agent : {"A*", "D*", "boundary", "LSTM"}) EXPECT_NE(report.find(agent), std::string::npos) << agent;
   EXPECT_NE(report.find("| A* | 100.0 % |"), std::string::npos) << report;
   int pictures = 0;

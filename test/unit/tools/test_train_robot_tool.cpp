@@ -1,7 +1,6 @@
 // The command `lstm_planner train` for the robot without a dataset, as a user runs it.
 
 #include "lstm_planner/drive/decision/drive_policy.hpp"
-#include "lstm_planner/practice/drive_course.hpp"
 #include "support/tool_test.hpp"
 
 namespace lstm_planner::test_train_robot_tool {
