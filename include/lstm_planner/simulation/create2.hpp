@@ -74,7 +74,6 @@ class Create2 {
   /// Twist as the encoders of the last step() tell it.
   const Twist2& measuredTwist() const { return measured_twist_; }
   double wheelAngle(bool left) const;  ///< rad since the start, from the encoder
-  const Create2Parameters& parameters() const { return parameters_; }
 
  private:
   /// One of the two wheels.
