@@ -245,11 +245,9 @@ Option& CommandLine::addSeed(std::uint64_t* seed, const std::string& meaning) {
 
 Option& CommandLine::addChoice(const std::string& name, std::string* value, const std::vector<std::string>& names,
                                const std::string& meaning) {
-  Option& option =
-      addSingle(name, "NAME", meaning, [=](const std::string& text) { *value = names[choose(name, text, names)]; });
-  option.default_text = *value;
-  option.value = [=] { return *value; };
-  return option;
+  Choices<std::string> choices;
+  for (const std::string& itself : names) choices.emplace_back(itself, itself);
+  return addChoice(name, value, choices, meaning);
 }
 
 std::size_t CommandLine::choose(const std::string& name, const std::string& value,

@@ -22,7 +22,7 @@ namespace {
 
 struct JudgeOptions {
   std::string model;
-  std::string leader = "network";
+  Leader leader = Leader::kNetwork;
   DriveCourseParameters course;
   int worlds = 252;
   int max_steps = 1000;
@@ -34,12 +34,11 @@ struct JudgeOptions {
 
 void check(const JudgeOptions& options) {
   validate(options.course);
-  const Leader leader = leaderNamed(options.leader);
-  if (leader == Leader::kNetwork && options.model.empty()) {
+  if (options.leader == Leader::kNetwork && options.model.empty()) {
     throw std::invalid_argument("--model is needed if the network leads");
   }
-  if (!options.recordings.empty() && leader != Leader::kNetwork) {
-    throw std::invalid_argument("--recordings judges a network, --leader is '" + options.leader + "'");
+  if (!options.recordings.empty() && options.leader != Leader::kNetwork) {
+    throw std::invalid_argument("--recordings judges a network, --leader is '" + nameOfLeader(options.leader) + "'");
   }
 }
 
@@ -51,7 +50,9 @@ bool readOptions(const std::vector<std::string>& arguments, JudgeOptions* option
       "prints how well a leader of the robot does alone: no boundary following, four drives per world, random "
       "conditions of sensors, wheels and speed, in worlds that were not used in training");
   line.addFile("model", &o.model, "ONNX file, if the network leads");
-  line.addChoice("leader", &o.leader, {"network", "route", "none"}, "who leads: network, route or none");
+  line.addChoice("leader", &o.leader,
+                 {{"network", Leader::kNetwork}, {"route", Leader::kRoute}, {"none", Leader::kGreedy}},
+                 "who leads: network, route or none");
   addWorldKinds(&o.course.worlds, &line);
   line.add("worlds", &o.worlds, kAnyCount, "number of worlds of all kinds together");
   line.add("max-steps", &o.max_steps, kAnyCount, "largest number of steps of a drive");
@@ -125,15 +126,14 @@ void judgeByRecordings(const JudgeOptions& options, const DrivePolicy& policy) {
 int runJudge(const std::vector<std::string>& arguments) {
   JudgeOptions options;
   if (!readOptions(arguments, &options)) return 0;
-  const Leader leader = leaderNamed(options.leader);
-  const DrivePolicy policy = leader == Leader::kNetwork ? DrivePolicy::fromFile(options.model) : noPolicy();
+  const DrivePolicy policy = options.leader == Leader::kNetwork ? DrivePolicy::fromFile(options.model) : noPolicy();
   if (!options.recordings.empty()) {
     judgeByRecordings(options, policy);
     return 0;
   }
   AgentParameters agent = practiceAgent(policy.description());
-  agent.leader = leader;
-  agent.memory.enabled = leader == Leader::kRoute;
+  agent.leader = options.leader;
+  agent.memory.enabled = options.leader == Leader::kRoute;
   std::vector<Sums> by_kind(options.course.worlds.size());
   Sums all;
   for (const JudgedDrive& drive : judgeEach(policy, agent, options.course, WorldUse::kJudging, options.worlds,
@@ -141,7 +141,7 @@ int runJudge(const std::vector<std::string>& arguments) {
     by_kind[drive.kind].add(drive);
     all.add(drive);
   }
-  nlohmann::json json = {{"leader", options.leader}, {"model", options.model}, {"seed", options.seed}};
+  nlohmann::json json = {{"leader", nameOfLeader(options.leader)}, {"model", options.model}, {"seed", options.seed}};
   const TextTable table(leftText("worlds", kNameWidth) + " drives           arrived [95 %]  efficiency");
   std::cout << table.headings() << "\n";
   for (std::size_t kind = 0; kind < by_kind.size(); ++kind) {

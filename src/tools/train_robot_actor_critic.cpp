@@ -19,8 +19,7 @@ namespace {
 struct RobotReinforcementPlan {
   RobotTrainingOptions options;
   RobotNetworkOptions network;
-  std::string init;           ///< model to start with; empty: a new network
-  std::string keep = "best";  ///< which network is written: best of the judgements, or last
+  std::string init;  ///< model to start with; empty: a new network
   DriveActorCriticParameters learner;
   std::vector<std::string> recordings;  ///< somebody's drives that the network is to follow
   std::vector<std::string> validation;  ///< likewise, to judge it
@@ -33,7 +32,7 @@ void addOptions(const std::vector<std::string>& arguments, RobotReinforcementPla
   line->addFile("init", &plan->init, "model file to start from; it determines layers and inputs");
   line->addOutput("checkpoint", &plan->options.loop.checkpoint,
                   "checkpoint file: is written, and continued from if it exists");
-  line->addChoice("keep", &plan->keep, {"best", "last"},
+  line->addChoice("keep", &plan->options.loop.keep_last, {{"best", false}, {"last", true}},
                   "which network to write: best (the most efficient of the networks judged so far) or last")
       .changesNoResult();
   visitPracticeParameters(p, line->everyParameter());
@@ -68,7 +67,6 @@ bool readPlan(const std::vector<std::string>& arguments, RobotReinforcementPlan*
   p.threads = plan->options.threads;
   p.communicator = ranks();
   plan->options.loop.settings = line.settings();
-  plan->options.loop.keep_last = plan->keep == "last";
   return true;
 }
 
@@ -125,7 +123,7 @@ class RobotReinforcementHost : public ToolTrainingHost {
   }
   double progress() const override { return static_cast<double>(training_.iterations()) / iterations_; }
   std::string position() const override { return "iteration " + std::to_string(training_.iterations()); }
-  std::string scoreText(double score) const override { return namedScore("efficiency", score); }
+  std::string scoreText(double score) const override { return "efficiency " + fixedText(score, 3); }
   void printHeader() const override { std::cout << table_.headings() << " | validation drives" << std::endl; }
 
   const TextTable table_{"iteration     steps  reward  arrival  entropy  explained"};
