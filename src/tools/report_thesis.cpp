@@ -188,7 +188,6 @@ int runThesisReport(const std::vector<std::string>& arguments) {
   ThesisOptions options;
   if (!readOptions(arguments, &options)) return 0;
   makeOutputFolder(options.output);
-  options.evaluation.communicator = ranks();
   options.training.trainer.communicator = ranks();
   const ThesisMaps maps = chooseThesisMaps(setsIn(options.folders), options.training.seed);
   std::ostringstream report;
