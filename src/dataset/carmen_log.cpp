@@ -225,17 +225,15 @@ class EventMaker {
  private:
   void hear(double stamp, const Pose2& pose) {
     constexpr double kShortest = 0.01;  // s; differences over less are mostly noise
-    const double elapsed = stamp - last_stamp_;
-    if (has_last_ && elapsed >= kShortest) {
-      const double ahead = toLocalFrame(last_pose_, {pose.x, pose.y}).x;
-      twist_ = {ahead / elapsed, normalizeAngle(pose.yaw - last_pose_.yaw) / elapsed};
+    OdometryHeard heard{stamp, pose, {}};
+    const double elapsed = last_ ? stamp - last_->stamp : -1.0;
+    if (last_) heard.twist = last_->twist;
+    if (elapsed >= kShortest) {
+      const double ahead = toLocalFrame(last_->pose, {pose.x, pose.y}).x;
+      heard.twist = {ahead / elapsed, normalizeAngle(pose.yaw - last_->pose.yaw) / elapsed};
     }
-    if (!has_last_ || elapsed >= kShortest || elapsed < 0.0) {
-      last_stamp_ = stamp;
-      last_pose_ = pose;
-      has_last_ = true;
-    }
-    log_->events.emplace_back(OdometryHeard{stamp, pose, twist_});
+    if (elapsed >= kShortest || elapsed < 0.0) last_ = heard;
+    log_->events.emplace_back(heard);
   }
 
   SensorMount mountOf(const CarmenLine& line) {
@@ -248,10 +246,7 @@ class EventMaker {
   std::optional<SensorMount> given_;
   SensorMount offset_;
   CarmenLog* log_;
-  bool has_last_ = false;
-  double last_stamp_ = 0.0;  ///< s
-  Pose2 last_pose_;
-  Twist2 twist_;
+  std::optional<OdometryHeard> last_;
 };
 
 }  // namespace

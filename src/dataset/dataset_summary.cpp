@@ -59,58 +59,45 @@ LabelHistogram& histogramOf(const std::vector<double>& angles, std::vector<Label
   return histograms->back();
 }
 
-class Summariser {
- public:
-  explicit Summariser(DatasetSummary* summary) : summary_(*summary), ranges_(&summary->ranges) {
-    summary_.intervals.name = "interval";
-    summary_.intervals.unit = "s";
+void add(const RecordedEpisode& episode, LabelHistogram* labels, RangeCollector* ranges, DatasetSummary* summary) {
+  const auto steps = static_cast<long>(episode.steps.size());
+  if (episode.episode.discarded) {
+    ++summary->discarded_episodes;
+    summary->discarded_steps += steps;
+    return;
   }
-
-  void add(const Recording& recording) {
-    ++summary_.recordings;
-    summary_.unfinished += recording.finished ? 0 : 1;
-    for (std::size_t i = 0; i < summary_.rejections.size(); ++i) summary_.rejections[i] += recording.rejections[i];
-    LabelHistogram& labels = histogramOf(recording.description.parameters.action_angles, &summary_.labels);
-    for (const RecordedEpisode& episode : recording.episodes) add(episode, &labels);
-  }
-
- private:
-  void add(const RecordedEpisode& episode, LabelHistogram* labels) {
-    if (episode.episode.discarded) {
-      ++summary_.discarded_episodes;
-      summary_.discarded_steps += static_cast<long>(episode.steps.size());
-      return;
-    }
-    ++summary_.episodes;
-    ++summary_.ends[episode.episode.end];
-    summary_.empty_episodes += episode.steps.empty() ? 1 : 0;
-    for (std::size_t i = 0; i < episode.steps.size(); ++i) {
-      add(episode.steps[i], labels);
-      if (i > 0 && episode.steps[i].number != episode.steps[i - 1].number + 1) ++summary_.gaps;
-    }
-  }
-
-  void add(const DriveStep& step, LabelHistogram* labels) {
-    ++summary_.steps;
-    summary_.steps_with_scan += step.ranges.empty() ? 0 : 1;
+  ++summary->episodes;
+  ++summary->ends[episode.episode.end];
+  summary->empty_episodes += steps == 0 ? 1 : 0;
+  summary->steps += steps;
+  const DriveStep* before = nullptr;
+  for (const DriveStep& step : episode.steps) {
+    if (before != nullptr && step.number != before->number + 1) ++summary->gaps;
+    before = &step;
+    summary->steps_with_scan += step.ranges.empty() ? 0 : 1;
     const auto label = static_cast<std::size_t>(step.label);
     if (label < labels->counts.size()) ++labels->counts[label];
-    ranges_.add(step);
-    lstm_planner::add(step.next_stamp - step.stamp, &summary_.intervals);
-    summary_.duration += step.next_stamp - step.stamp;
-    summary_.distance += distanceBetween(step.pose, step.next_pose);
+    ranges->add(step);
+    add(step.next_stamp - step.stamp, &summary->intervals);
+    summary->duration += step.next_stamp - step.stamp;
+    summary->distance += distanceBetween(step.pose, step.next_pose);
   }
-
-  DatasetSummary& summary_;
-  RangeCollector ranges_;
-};
+}
 
 }  // namespace
 
 DatasetSummary summarise(const Dataset& dataset) {
   DatasetSummary summary;
-  Summariser summariser(&summary);
-  for (const Recording& recording : dataset.recordings) summariser.add(recording);
+  summary.intervals.name = "interval";
+  summary.intervals.unit = "s";
+  RangeCollector ranges(&summary.ranges);
+  for (const Recording& recording : dataset.recordings) {
+    ++summary.recordings;
+    summary.unfinished += recording.finished ? 0 : 1;
+    for (std::size_t i = 0; i < summary.rejections.size(); ++i) summary.rejections[i] += recording.rejections[i];
+    LabelHistogram& labels = histogramOf(recording.description.parameters.action_angles, &summary.labels);
+    for (const RecordedEpisode& episode : recording.episodes) add(episode, &labels, &ranges, &summary);
+  }
   return summary;
 }
 
