@@ -12,21 +12,20 @@
 #include "tools/command.hpp"
 #include "tools/ranks.hpp"
 
+namespace lstm_planner {
 namespace {
 
-const std::vector<lstm_planner::Command>& commands() {
-  static const std::vector<lstm_planner::Command> all = {
-      {"drive", "drive a simulated robot to random goals and judge it", lstm_planner::runDrive},
-      {"judge", "judge a network of the robot in many short drives", lstm_planner::runJudge},
-      {"train", "train a network for the robot or for the grid world", lstm_planner::runTrain, true},
-      {"evaluate", "judge an agent in scenarios of grid maps", lstm_planner::runEvaluate, true},
-      {"report", "compare agents with each other and with the thesis", lstm_planner::runReport, true},
-      {"maps", "generate floor plans, or maps and scenarios of the grid world", lstm_planner::runMaps},
-      {"model", "look at a model file, check it, or add the metadata to one that was exported elsewhere",
-       lstm_planner::runModel},
-      {"dataset", "look at, check, merge, split and export recorded drives", lstm_planner::runDataset},
-      {"parameters", "print the parameters of plugins and nodes, with ranges and meanings",
-       lstm_planner::runParameters},
+const std::vector<Command>& commands() {
+  static const std::vector<Command> all = {
+      {"drive", "drive a simulated robot to random goals and judge it", runDrive},
+      {"judge", "judge a network of the robot in many short drives", runJudge},
+      {"train", "train a network for the robot or for the grid world", runTrain, true},
+      {"evaluate", "judge an agent in scenarios of grid maps", runEvaluate, true},
+      {"report", "compare agents with each other and with the thesis", runReport, true},
+      {"maps", "generate floor plans, or maps and scenarios of the grid world", runMaps},
+      {"model", "look at a model file, check it, or add the metadata to one that was exported elsewhere", runModel},
+      {"dataset", "look at, check, merge, split and export recorded drives", runDataset},
+      {"parameters", "print the parameters of plugins and nodes, with ranges and meanings", runParameters},
   };
   return all;
 }
@@ -34,40 +33,39 @@ const std::vector<lstm_planner::Command>& commands() {
 /// What went wrong on one rank has mostly gone wrong on all. The first says so, and ends the others before they do:
 /// they leave it time for that, also on a machine that is busy.
 int fail(const std::string& sentence) {
-  using lstm_planner::isFirstRank;
-  const lstm_planner::Communicator& ranks = *lstm_planner::ranks();
+  const Communicator& all = *ranks();
   if (!isFirstRank()) std::this_thread::sleep_for(std::chrono::seconds(10));
   std::cerr << "lstm_planner" << sentence;
-  if (!isFirstRank()) std::cerr << " (rank " << ranks.rank() << " of " << ranks.size() << ")";
+  if (!isFirstRank()) std::cerr << " (rank " << all.rank() << " of " << all.size() << ")";
   std::cerr << std::endl;
-  if (ranks.size() > 1) lstm_planner::endAllRanks(2);
+  if (all.size() > 1) endAllRanks(2);
   return 2;
 }
 
 /// Nothing is left of what was being written.
 void endBySignal(int signal) {
-  lstm_planner::removeUnfinishedFiles();
+  removeUnfinishedFiles();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
 
-int run(const lstm_planner::Command& command, const std::vector<std::string>& arguments) {
-  if (!command.shared) lstm_planner::requireOneRank("this command");
-  if (!lstm_planner::isFirstRank()) std::cout.rdbuf(nullptr);
+int run(const Command& command, const std::vector<std::string>& arguments) {
+  if (!command.shared) requireOneRank("this command");
+  if (!isFirstRank()) std::cout.rdbuf(nullptr);
   return command.run(arguments);
 }
 
 int runTool(const std::vector<std::string>& arguments) {
   const std::string first = arguments.empty() ? "" : arguments.front();
   if (first.empty() || first == "--help" || first == "-h") {
-    lstm_planner::printUsage("lstm_planner", "COMMAND", commands(), first.empty() ? std::cerr : std::cout);
+    printUsage("lstm_planner", "COMMAND", commands(), first.empty() ? std::cerr : std::cout);
     return first.empty() ? 2 : 0;
   }
   if (first == "--version") {
-    std::cout << "lstm_planner " << lstm_planner::softwareVersion() << "\n";
+    std::cout << "lstm_planner " << softwareVersion() << "\n";
     return 0;
   }
-  const lstm_planner::Command command = lstm_planner::commandNamed(first, "command", commands());
+  const Command command = commandNamed(first, "command", commands());
   try {
     return run(command, {arguments.begin() + 1, arguments.end()});
   } catch (const std::exception& error) {
@@ -76,15 +74,16 @@ int runTool(const std::vector<std::string>& arguments) {
 }
 
 }  // namespace
+}  // namespace lstm_planner
 
 int main(int argc, char** argv) {
   for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
-    if (std::signal(signal, endBySignal) == SIG_IGN) std::signal(signal, SIG_IGN);
+    if (std::signal(signal, lstm_planner::endBySignal) == SIG_IGN) std::signal(signal, SIG_IGN);
   }
   try {
     const lstm_planner::MpiSession session(&argc, &argv);
-    return runTool({argv + std::min(argc, 1), argv + argc});
+    return lstm_planner::runTool({argv + std::min(argc, 1), argv + argc});
   } catch (const std::exception& error) {
-    return fail(std::string(": ") + error.what());
+    return lstm_planner::fail(std::string(": ") + error.what());
   }
 }

@@ -122,7 +122,7 @@ class GridImitationHost : public ToolTrainingHost {
  private:
   double progress() const override { return training_.progress(); }
   std::string position() const override { return positionOf(training_); }
-  std::string scoreText(double score) const override { return namedScore("mean arrival", score); }
+  std::string scoreText(double score) const override { return "mean arrival " + fixedText(score, 3); }
   void printHeader() const override { std::cout << table_.headings() << std::endl; }
 
   const TextTable table_{"round  epoch  training accuracy  validation accuracy"};

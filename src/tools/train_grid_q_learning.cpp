@@ -134,7 +134,7 @@ class GridQLearningHost : public ToolTrainingHost {
  private:
   double progress() const override { return training_.progress(); }
   std::string position() const override { return "epoch " + std::to_string(training_.epoch()); }
-  std::string scoreText(double score) const override { return namedScore("mean arrival", score); }
+  std::string scoreText(double score) const override { return "mean arrival " + fixedText(score, 3); }
   std::string resumption() const override {
     // What was learned since the last epoch ended is lost: that epoch starts anew.
     return training_.epoch() == 0 ? "there is no checkpoint before the end of the first epoch"

@@ -3,7 +3,6 @@
 #include <iostream>
 #include <string>
 
-#include "lstm_planner/common/text_table.hpp"
 #include "tools/command_line.hpp"
 
 namespace lstm_planner {
@@ -37,8 +36,6 @@ int ToolTrainingHost::end(const TrainingOutcome& outcome) const {
 std::string positionOf(const ImitationRounds& rounds) {
   return std::to_string(rounds.round() - 1) + " rounds and " + std::to_string(rounds.epochsOfRound()) + " epochs";
 }
-
-std::string namedScore(const std::string& name, double score) { return name + ' ' + fixedText(score, 3); }
 
 void addShapeOptions(NetworkShape* shape, const std::vector<int>& mlp_units, CommandLine* line) {
   std::string units;

@@ -44,9 +44,6 @@ class ToolTrainingHost : public TrainingHost {
 /// How far an imitation is: "2 rounds and 5 epochs".
 std::string positionOf(const ImitationRounds& rounds);
 
-/// A score with three digits after its name.
-std::string namedScore(const std::string& name, double score);
-
 // Options of each way of training. `shape` and `loss` must stay where they are until the line is parsed.
 
 /// Layers, and the thesis's alternatives inside a layer. `mlp_units`: of each layer of a perceptron, where nothing else
