@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iostream>
+#include <optional>
 #include <sstream>
 
 #include "lstm_planner/grid_world/evaluation/grid_report.hpp"
@@ -48,14 +49,14 @@ std::string rulesText(const GridOptions& options) {
 }
 
 /// Where the first set has training maps.
-void drawTraining(const ReportOptions& options, const GridComparison& comparison, std::ostream& report) {
-  ScenarioSelection selection = options.grid.selection;
+std::optional<GridTaskSet> trainingTasks(const GridOptions& options) {
+  ScenarioSelection selection = options.selection;
   selection.maps = MapSelection::kTrain;
   constexpr std::size_t kCandidates = 15;
   selection.count = kCandidates;
-  const GridSetFiles files = findGridSets(options.grid.folders.front()).front();
-  if (selectMaps(files, MapSelection::kTrain).empty()) return;
-  drawTrainingPicture(drawGridTasks(files, selection), comparison, options.grid.evaluation, options.output, report);
+  const GridSetFiles files = findGridSets(options.folders.front()).front();
+  if (selectMaps(files, MapSelection::kTrain).empty()) return std::nullopt;
+  return drawGridTasks(files, selection);
 }
 
 }  // namespace
@@ -81,11 +82,7 @@ int runReport(const std::vector<std::string>& arguments) {
   report << "# Agents of the grid world\n\n" << rulesText(options.grid) << "\n\n";
   report << reportTables(comparison);
   writeTextFile(options.output + "/tables.csv", reportCsv(comparison));
-  writeTrends(comparison, options.output, report);
-  drawTraining(options, comparison, report);
-  for (const ReportPicture& picture : choosePictures(comparison)) {
-    drawPicture(comparison, picture, options.output, report);
-  }
+  writeFigures(comparison, trainingTasks(options.grid), options.grid.evaluation, options.output, report);
   writeTextFile(options.output + "/report.md", report.str());
   std::cout << reportTables(comparison) << "wrote " << options.output << "/report.md\n";
   return 0;

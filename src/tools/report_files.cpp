@@ -66,24 +66,7 @@ bool isTaken(const std::vector<ReportAgent>& agents, const std::string& name) {
   return false;
 }
 
-}  // namespace
-
-void evaluateAll(const GridEvaluationOptions& options, GridComparison* comparison) {
-  Progress progress;
-  const auto runs = static_cast<double>(comparison->sets.size() * comparison->agents.size());
-  double done = 0.0;
-  for (const GridTaskSet& set : comparison->sets) {
-    comparison->episodes.emplace_back();
-    for (const ReportAgent& agent : comparison->agents) {
-      GridEvaluationOptions evaluation = options;
-      evaluation.communicator = ranks();
-      evaluation.progress = [&](double share) { progress.show((done + share) / runs); };
-      comparison->episodes.back().push_back(evaluateGridTasks(set, 0, set.tasks.size(), agent.agent.make, evaluation));
-      ++done;
-    }
-  }
-}
-
+/// Figures 3.15-3.17.
 void writeTrends(const GridComparison& comparison, const std::string& folder, std::ostream& report) {
   for (std::size_t i = 0; i < comparison.sets.size(); ++i) {
     const GridTaskSet& set = comparison.sets[i];
@@ -107,6 +90,7 @@ void drawPicture(const GridComparison& comparison, const ReportPicture& picture,
   appendPicture(picture.caption, file, report);
 }
 
+/// Figure 3.9. `tests`: whose agents and rules are meant.
 void drawTrainingPicture(const GridTaskSet& set, const GridComparison& tests, const GridEvaluationOptions& options,
                          const std::string& folder, std::ostream& report) {
   GridComparison training;
@@ -119,6 +103,31 @@ void drawTrainingPicture(const GridTaskSet& set, const GridComparison& tests, co
   if (const auto task = typicalArrival(episodes)) {
     drawPicture(training, trainingPicture(training, 0, *task), folder, report);
   }
+}
+
+}  // namespace
+
+void evaluateAll(const GridEvaluationOptions& options, GridComparison* comparison) {
+  Progress progress;
+  const auto runs = static_cast<double>(comparison->sets.size() * comparison->agents.size());
+  double done = 0.0;
+  for (const GridTaskSet& set : comparison->sets) {
+    comparison->episodes.emplace_back();
+    for (const ReportAgent& agent : comparison->agents) {
+      GridEvaluationOptions evaluation = options;
+      evaluation.communicator = ranks();
+      evaluation.progress = [&](double share) { progress.show((done + share) / runs); };
+      comparison->episodes.back().push_back(evaluateGridTasks(set, 0, set.tasks.size(), agent.agent.make, evaluation));
+      ++done;
+    }
+  }
+}
+
+void writeFigures(const GridComparison& comparison, const std::optional<GridTaskSet>& training,
+                  const GridEvaluationOptions& options, const std::string& folder, std::ostream& report) {
+  writeTrends(comparison, folder, report);
+  if (training) drawTrainingPicture(*training, comparison, options, folder, report);
+  for (const ReportPicture& picture : choosePictures(comparison)) drawPicture(comparison, picture, folder, report);
 }
 
 std::vector<ReportAgent> agentsFromTexts(const std::vector<std::string>& texts, const GridAgentOptions& common) {

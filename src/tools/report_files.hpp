@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -14,16 +15,10 @@ namespace lstm_planner {
 /// Runs every agent in every set, with a bar.
 void evaluateAll(const GridEvaluationOptions& options, GridComparison* comparison);
 
-/// Figures 3.15-3.17 or their like, a CSV file and a picture for each set.
-void writeTrends(const GridComparison& comparison, const std::string& folder, std::ostream& report);
-
-void drawPicture(const GridComparison& comparison, const ReportPicture& picture, const std::string& folder,
-                 std::ostream& report);
-
-/// Figure 3.9: a task of a set of training maps, of those that the first network solves the typical one; none where it
-/// solves none. `tests`: whose agents and rules are meant.
-void drawTrainingPicture(const GridTaskSet& set, const GridComparison& tests, const GridEvaluationOptions& options,
-                         const std::string& folder, std::ostream& report);
+/// Figures 3.9-3.17 or their like: a CSV file and a picture of the trend for each set; of `training`, tasks in training
+/// maps, the typical one of those that the first network solves, where there are any; and choosePictures().
+void writeFigures(const GridComparison& comparison, const std::optional<GridTaskSet>& training,
+                  const GridEvaluationOptions& options, const std::string& folder, std::ostream& report);
 
 /// Agents from texts like `astar`, `lstm` (the shipped model) or `lstm=FILE,no-shield,no-escape`; all else as in
 /// `common`. Names that would be alike are told apart by the model's file. Throws std::invalid_argument with a

@@ -208,12 +208,8 @@ int runThesisReport(const std::vector<std::string>& arguments) {
     if (max_length == kScenarioPlaces) continue;
     if (!isFirstRank()) continue;
     std::ostringstream figures;
-    writeTrends(comparison, options.output, figures);
-    drawTrainingPicture(drawGridTasks({"training", maps.training}, options.selection), comparison, options.evaluation,
-                        options.output, figures);
-    for (const ReportPicture& picture : choosePictures(comparison)) {
-      drawPicture(comparison, picture, options.output, figures);
-    }
+    writeFigures(comparison, drawGridTasks({"training", maps.training}, options.selection), options.evaluation,
+                 options.output, figures);
     report << "# Figures 3.9-3.17\n\n" << figures.str();
   }
   if (!isFirstRank()) return 0;
