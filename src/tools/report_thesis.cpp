@@ -1,4 +1,5 @@
 #include <iostream>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -6,6 +7,7 @@
 #include "lstm_planner/common/markdown_table.hpp"
 #include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/common/words.hpp"
+#include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_agent_factory.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_report.hpp"
 #include "lstm_planner/grid_world/evaluation/thesis_maps.hpp"
@@ -75,14 +77,15 @@ std::vector<GridSetFiles> setsIn(const std::vector<std::string>& folders) {
 std::string percent(double share) { return fixedText(100.0 * share, 2) + " %"; }
 
 /// A network agent as the thesis lets it walk, or with the shield.
-ReportAgent networkAgent(const std::string& name, const std::string& file, bool shield) {
-  GridAgentOptions options;
-  options.agent = "network";
-  options.model = file;
+ReportAgent networkAgent(const std::string& name, const Model& model, bool shield) {
+  NetworkGridAgent::Options options;
   options.corner_cutting = CornerCutting::kAllowed;
-  options.network.shield = shield;
-  options.network.guided = false;
-  return {{name, gridAgentMaker(options)}, false};
+  options.shield = shield;
+  options.guided = false;
+  const auto make = [model, options](const PassableGrid&) {
+    return std::make_unique<NetworkGridAgent>(model, options);
+  };
+  return {{name, make}, false};
 }
 
 ReportAgent aStarAgent() {
@@ -117,12 +120,11 @@ std::vector<ReportAgent> trainAgents(const ThesisOptions& options, const ThesisM
     const ThesisNetworkResult trained =
         trainThesisNetwork(network, options.training, filesOf(maps.training), filesOf(maps.validation), progress);
     if (interruption.wanted()) throw std::runtime_error("interrupted while " + network.name + " was trained");
-    const std::string file = options.output + "/" + network.file;
-    if (isFirstRank()) writeModelFile(file, trained.model);
+    if (isFirstRank()) writeModelFile(options.output + "/" + network.file, trained.model);
     table.row({network.name, std::to_string(countWeights(trained.model.layers)), percent(trained.training_accuracy),
                percent(trained.validation_accuracy)});
-    agents.push_back(networkAgent(network.name, file, false));
-    shielded.push_back(networkAgent(network.name + ", with shield", file, true));
+    agents.push_back(networkAgent(network.name, trained.model, false));
+    shielded.push_back(networkAgent(network.name + ", with shield", trained.model, true));
   }
   report << '\n';
   agents.insert(agents.end(), shielded.begin(), shielded.end());
