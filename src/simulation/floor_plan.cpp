@@ -1,8 +1,8 @@
 #include "lstm_planner/simulation/floor_plan.hpp"
 
 #include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
-#include <numeric>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
 #include <utility>
@@ -110,28 +110,6 @@ std::vector<SharedWall> sharedWalls(const std::vector<Room>& rooms, int wall, in
   return walls;
 }
 
-/// Which rooms can be reached from each other (union-find).
-class Connections {
- public:
-  explicit Connections(std::size_t rooms) : parents_(rooms) { std::iota(parents_.begin(), parents_.end(), 0); }
-
-  /// True when the two were not connected before.
-  bool connect(std::size_t a, std::size_t b) {
-    const std::size_t root_a = rootOf(a);
-    const std::size_t root_b = rootOf(b);
-    parents_[root_a] = root_b;
-    return root_a != root_b;
-  }
-
- private:
-  std::size_t rootOf(std::size_t room) {
-    while (parents_[room] != room) room = parents_[room] = parents_[parents_[room]];
-    return room;
-  }
-
-  std::vector<std::size_t> parents_;
-};
-
 Building buildRooms(const FloorPlanParameters& parameters, Random& random) {
   const int columns = toCells(parameters.width, parameters.resolution);
   const int rows = toCells(parameters.height, parameters.resolution);
@@ -149,9 +127,10 @@ Building buildRooms(const FloorPlanParameters& parameters, Random& random) {
   shuffle(&walls, random);
   // Corridors first: a room beside a corridor is entered from there and not through its neighbour.
   std::stable_sort(walls.begin(), walls.end(), [](const auto& a, const auto& b) { return a.kind > b.kind; });
-  Connections connections(building.rooms.size());
+  boost::disjoint_sets_with_storage<> connected(building.rooms.size());
   for (const SharedWall& shared : walls) {
-    const bool is_needed = connections.connect(shared.first, shared.second);
+    const bool is_needed = connected.find_set(shared.first) != connected.find_set(shared.second);
+    connected.union_set(shared.first, shared.second);
     const bool joins_corridors = shared.kind == 2;
     if (!is_needed && !joins_corridors && uniform(random) >= parameters.extra_doors) continue;
     CellBox opening = shared.box;
