@@ -1,6 +1,8 @@
 #include "lstm_planner/dataset/dataset.hpp"
 
-#include <array>
+#include <Poco/DateTimeFormatter.h>
+#include <Poco/Timestamp.h>
+
 #include <ctime>
 #include <filesystem>
 #include <system_error>
@@ -39,12 +41,8 @@ void writeRows(const Dataset& dataset, DatasetFile* file) {
 std::string softwareVersion() { return LSTM_PLANNER_VERSION; }
 
 std::string utcTime(double seconds_since_1970) {
-  const auto time = static_cast<std::time_t>(seconds_since_1970);
-  std::tm utc{};
-  gmtime_r(&time, &utc);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text.data();
+  const auto time = Poco::Timestamp::fromEpochTime(static_cast<std::time_t>(seconds_since_1970));
+  return Poco::DateTimeFormatter::format(time, "%Y-%m-%dT%H:%M:%SZ");
 }
 
 long stepCount(const Dataset& dataset) {
