@@ -77,16 +77,9 @@ nlohmann::json toJson(const GridCurvePoint& point) {
 }
 
 GridCurvePoint curvePointFrom(const nlohmann::json& json) {
-  GridCurvePoint point;
-  point.epoch = json.at("epoch").get<int>();
-  point.steps = json.at("steps").get<double>();
-  point.reward = json.at("reward").get<double>();
-  point.arrival = json.at("arrival").get<double>();
-  point.ratio = json.at("ratio").get<double>();
-  point.success = json.at("success").get<std::vector<double>>();
-  point.mean_success = json.at("mean_success").get<double>();
-  point.best = json.at("best").get<bool>();
-  return point;
+  return {json.at("epoch"),        json.at("steps"), json.at("reward"),
+          json.at("arrival"),      json.at("ratio"), json.at("success").get<std::vector<double>>(),
+          json.at("mean_success"), json.at("best")};
 }
 
 /// Writes the points as CSV beside the picture and draws them over the steps with gnuplot: success on the validation
