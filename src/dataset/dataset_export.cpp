@@ -116,22 +116,13 @@ class ColumnCollector {
   std::size_t next_ = 0;
 };
 
-class Archive {
- public:
-  explicit Archive(std::ostream& out) : zip_(out, true) {}
+void addArray(const std::string& name, const std::string& npy, Poco::Zip::Compress* archive) {
+  std::istringstream in(npy);
+  archive->addFile(in, Poco::DateTime(), Poco::Path(name + ".npy"), Poco::Zip::ZipCommon::CM_DEFLATE,
+                   Poco::Zip::ZipCommon::CL_NORMAL);
+}
 
-  void add(const std::string& name, const std::string& npy) {
-    std::istringstream in(npy);
-    zip_.addFile(in, Poco::DateTime(), Poco::Path(name + ".npy"), Poco::Zip::ZipCommon::CM_DEFLATE,
-                 Poco::Zip::ZipCommon::CL_NORMAL);
-  }
-  void close() { zip_.close(); }
-
- private:
-  Poco::Zip::Compress zip_;
-};
-
-void addScans(const Dataset& dataset, Archive* archive) {
+void addScans(const Dataset& dataset, Poco::Zip::Compress* archive) {
   const std::size_t beams = std::max<std::size_t>(mostBeams(dataset), 1);
   std::vector<float> ranges;
   std::vector<double> geometries;
@@ -153,8 +144,8 @@ void addScans(const Dataset& dataset, Archive* archive) {
     geometry_length = row.size();
     geometries.insert(geometries.end(), row);
   });
-  archive->add("ranges", toNpy(ranges, beams));
-  archive->add("scan_geometry", toNpy(geometries, geometry_length));
+  addArray("ranges", toNpy(ranges, beams), archive);
+  addArray("scan_geometry", toNpy(geometries, geometry_length), archive);
 }
 
 }  // namespace
@@ -176,12 +167,14 @@ void exportNumpy(const std::string& path, const Dataset& dataset, bool with_scan
               [&](long recording, long episode, const DriveStep& step) { collector.add(recording, episode, step); });
   try {
     OutputFile file(path);
-    Archive archive(file.stream());
+    Poco::Zip::Compress archive(file.stream(), true);
     for (const Column& column : collector.columns()) {
-      archive.add(column.name, column.integers.empty() ? toNpy(column.numbers, column.row_length)
-                                                       : toNpy(column.integers, column.row_length));
+      addArray(column.name,
+               column.integers.empty() ? toNpy(column.numbers, column.row_length)
+                                       : toNpy(column.integers, column.row_length),
+               &archive);
     }
-    archive.add("action_angles", toNpy(dataset.recordings.at(0).description.parameters.action_angles));
+    addArray("action_angles", toNpy(dataset.recordings.at(0).description.parameters.action_angles), &archive);
     if (with_scans) addScans(dataset, &archive);
     archive.close();
     file.commit();
