@@ -227,7 +227,7 @@ bool GridWorld::touchesPolygon(const Footprint& polygon, const Pose2& pose) cons
 }
 
 CircleWorld::CircleWorld(std::vector<Circle> circles, const World* surroundings)
-    : circles_(std::move(circles)), surroundings_(surroundings) {
+    : surroundings_(surroundings), circles_(std::move(circles)) {
   for (const Circle& circle : circles_) {
     if (std::isfinite(circle.center.x + circle.center.y + circle.radius) && circle.radius >= 0.0) continue;
     throw std::invalid_argument("a circle at (" + std::to_string(circle.center.x) + ", " +

@@ -16,14 +16,14 @@ class Traffic : public CircleWorld {
   };
 
   /// `surroundings`, where the bodies move, must outlive the object.
-  explicit Traffic(const World& surroundings) : CircleWorld({}, &surroundings), surroundings_(surroundings) {}
+  explicit Traffic(const World& surroundings) : CircleWorld({}, &surroundings) {}
 
   /// Lets that much time pass, s: no longer than a tenth of a second, or bodies jump. Returns the bodies that ran into
   /// the robot, which is at `pose`, each once a meeting.
   virtual std::vector<Circle> advance(double seconds, const Footprint& robot, const Pose2& pose) = 0;
 
   const std::vector<Body>& bodies() const { return bodies_; }  ///< always in the same order
-  const World& surroundings() const { return surroundings_; }
+  const World& surroundings() const { return *surroundings_; }
 
  protected:
   /// The bodies have moved: they are seen and touched where they are now.
@@ -33,9 +33,6 @@ class Traffic : public CircleWorld {
   }
 
   std::vector<Body> bodies_;
-
- private:
-  const World& surroundings_;
 };
 
 }  // namespace lstm_planner
