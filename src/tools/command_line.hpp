@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -79,30 +80,29 @@ class CommandLine {
   template <typename Number>
   Option& add(const std::string& name, std::optional<Number>* value, Range range, const std::string& meaning);
   Option& add(const std::string& name, std::vector<int>* values, Range range, const std::string& meaning);
-  /// Of the parameters that are visited, see parameter_visitors.hpp, those that are named: pairs of the parameter's and
-  /// the option's name.
-  auto parameters(const std::vector<std::pair<std::string, std::string>>& names) {
-    return [this, names](const std::string& name, auto& value, [[maybe_unused]] Range range,
-                         [[maybe_unused]] const char* unit, [[maybe_unused]] const char* meaning) {
-      for (const auto& [parameter, option] : names) {
-        if (parameter != name) continue;
-        if constexpr (kIsNumber<std::decay_t<decltype(value)>>) {
-          add(option, &value, range, meaning).meaning += *unit == '\0' ? "" : std::string(" ") + unit;
-        }
-      }
-    };
-  }
-  /// All that is visited, each under its own name.
+  /// Each number that is visited, see parameter_visitors.hpp, under its own name, with dashes: detour-share for
+  /// detour/share. With onlyNamed() some of them.
   auto everyParameter() {
-    return [this](const std::string& name, auto& value, [[maybe_unused]] Range range, const char* unit,
-                  const char* meaning) {
+    return [this](std::string name, auto& value, [[maybe_unused]] Range range, const char* unit,
+                  [[maybe_unused]] const char* meaning) {
+      std::replace_if(
+          name.begin(), name.end(), [](char c) { return c == '_' || c == '/'; }, '-');
+      using Value = std::decay_t<decltype(value)>;
       Option* option = nullptr;
-      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, bool>) {
+      if constexpr (std::is_same_v<Value, bool>) {
         option = &add(name, &value, meaning);
-      } else {
+      } else if constexpr (kIsNumber<Value> || std::is_same_v<Value, std::vector<int>>) {
         option = &add(name, &value, range, meaning);
       }
-      if (*unit != '\0') option->meaning += std::string(" ") + unit;
+      if (option != nullptr && *unit != '\0') option->meaning += std::string(" ") + unit;
+    };
+  }
+  /// Likewise those that are named, under other names: pairs of the parameter's and the option's.
+  auto renamedParameters(const std::vector<std::pair<std::string, std::string>>& names) {
+    return [this, names](const std::string& name, auto& value, Range range, const char* unit, const char* meaning) {
+      for (const auto& [parameter, option] : names) {
+        if (parameter == name) everyParameter()(option, value, range, unit, meaning);
+      }
     };
   }
   Option& add(const std::string& name, std::string* value, const std::string& meaning);

@@ -115,15 +115,9 @@ int convertIntoDataset(const std::vector<Parts>& sources, const RecorderParamete
 
 void addRecorderOptions(RecorderParameters* parameters, CommandLine* line) {
   RecorderParameters& p = *parameters;
-  visitRecorderParameters(p, line->parameters({{"period", "period"},
-                                               {"min_step_distance", "min-step-distance"},
-                                               {"min_step_turn", "min-step-turn"},
-                                               {"max_gap", "max-gap"},
-                                               {"max_speed", "max-speed"},
-                                               {"goal_tolerance", "goal-tolerance"},
-                                               {"delay", "delay"},
-                                               {"range_cap", "range-cap"},
-                                               {"least_measured", "least-measured"}}));
+  visitRecorderParameters(p, onlyNamed({"period", "min_step_distance", "min_step_turn", "max_gap", "max_speed",
+                                        "goal_tolerance", "delay", "range_cap", "least_measured"},
+                                       line->everyParameter()));
   line->addText(
       "no-return", noReturnText(p.scan_rules), [&](const std::string& text) { setNoReturn(text, &p.scan_rules); },
       "readings that mean no return besides +inf: \"nan\", \"zero\", \"below\" (range_min), \"beyond\" (range_max), a "
@@ -132,8 +126,7 @@ void addRecorderOptions(RecorderParameters* parameters, CommandLine* line) {
 }
 
 void addHindsightOptions(HindsightParameters* parameters, CommandLine* line) {
-  visitHindsightParameters(*parameters,
-                           line->parameters({{"stop", "stop"}, {"longest", "longest"}, {"shortest", "shortest"}}));
+  visitHindsightParameters(*parameters, line->everyParameter());
 }
 
 void addMountOption(std::optional<SensorMount>* mount, const std::string& otherwise, CommandLine* line) {

@@ -53,9 +53,8 @@ bool readOptions(const std::vector<std::string>& arguments, SimulateOptions* opt
            "e.g. the demo's goals");
   line.add("steps", &drives.steps, kAnySteps, "labelled steps to record");
   line.addSeed(&options->seed, "seed of waypoints, goals, driver and noise");
-  visitCreate2Parameters(drives.robot.base, line.parameters({{"odometry_error", "drift"}}));
-  visitDriverParameters(drives.driver,
-                        line.parameters({{"speed", "speed"}, {"turn_speed", "turn-speed"}, {"wander", "wander"}}));
+  visitCreate2Parameters(drives.robot.base, line.renamedParameters({{"odometry_error", "drift"}}));
+  visitDriverParameters(drives.driver, onlyNamed({"speed", "turn_speed", "wander"}, line.everyParameter()));
   line.addFlag("arcs", &drives.driver.drives_arcs, true, "the driver also presses turn keys while driving forward");
   line.addNewFile("output", &options->output, "the new dataset; the file must not exist").required();
   addRecorderOptions(&drives.recorder, &line);

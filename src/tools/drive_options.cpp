@@ -44,17 +44,17 @@ void addRobotOptions(DriveOptions* options, CommandLine* line) {
       "name of a file in config/robots, or path of a file of the same form; other options override its values");
   line->addFile("model", &options->model, "ONNX file of the network");
   visitHokuyoParameters(options->drive.robot.scanner,
-                        line->parameters({{"noise", "noise"}, {"range_step", "range-step"}, {"dropout", "dropout"}}));
-  visitCreate2Parameters(options->drive.robot.base,
-                         line->parameters({{"odometry_error", "drift"}, {"slip", "slip"}, {"drift", "wheel-error"}}));
-  visitSimulatedRobotParameters(options->drive.robot, line->parameters({{"latency", "latency"}}));
-  visitMotionParameters(options->drive.motion, line->parameters({{"evade_time", "evade"}}));
+                        onlyNamed({"noise", "range_step", "dropout"}, line->everyParameter()));
+  visitCreate2Parameters(
+      options->drive.robot.base,
+      line->renamedParameters({{"odometry_error", "drift"}, {"slip", "slip"}, {"drift", "wheel-error"}}));
+  visitSimulatedRobotParameters(options->drive.robot, onlyNamed({"latency"}, line->everyParameter()));
+  visitMotionParameters(options->drive.motion, line->renamedParameters({{"evade_time", "evade"}}));
   line->addText(
       "leader", nameOfLeader(agent.leader), [&](const std::string& name) { agent.leader = leaderNamed(name); },
       "network; route: the path through the remembered obstacles; none: the allowed angle nearest to the goal's "
       "bearing");
-  visitAgentParameters(agent,
-                       line->parameters({{"detour/allowance", "detour-allowance"}, {"detour/share", "detour-share"}}));
+  visitAgentParameters(agent, onlyNamed({"detour/allowance", "detour/share"}, line->everyParameter()));
   line->addFlag(
       "knows-map", &options->knows_map, true,
       "the robot knows all obstacles of --map or --worlds from the start, as far as 50 m; only without --drift");

@@ -66,12 +66,9 @@ struct MapsOptions {
 
 void addBuildingOptions(FloorPlanParameters* plan, CommandLine* line) {
   line->section("--kind building");
-  visitFloorPlanParameters(*plan, line->parameters({{"width", "width"},
-                                                    {"height", "height"},
-                                                    {"resolution", "resolution"},
-                                                    {"smallest_room", "smallest-room"},
-                                                    {"door_width", "door-width"},
-                                                    {"furniture", "furniture"}}));
+  visitFloorPlanParameters(
+      *plan,
+      onlyNamed({"width", "height", "resolution", "smallest_room", "door_width", "furniture"}, line->everyParameter()));
 }
 
 void addGridMapOptions(MapsOptions* options, CommandLine* line) {
