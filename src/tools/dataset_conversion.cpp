@@ -125,10 +125,6 @@ void addRecorderOptions(RecorderParameters* parameters, CommandLine* line) {
   line->addFlag("no-scans", &p.keep_scans, false, "store only the sectors, not the whole scans");
 }
 
-void addHindsightOptions(HindsightParameters* parameters, CommandLine* line) {
-  visitHindsightParameters(*parameters, line->everyParameter());
-}
-
 void addMountOption(std::optional<SensorMount>* mount, const std::string& otherwise, CommandLine* line) {
   line->addText(
       "mount", "",

@@ -28,7 +28,7 @@ bool readOptions(const std::vector<std::string>& arguments, FromLogOptions* opti
   line.addNewFile("output", &options->output, "the new dataset; the file must not exist").required();
   addMountOption(&options->mount, "from the log", &line);
   line.section("goals: places that the robot reached, because logs have no goals");
-  addHindsightOptions(&options->hindsight, &line);
+  visitHindsightParameters(options->hindsight, line.everyParameter());
   line.section("steps: the parameters of dataset_recorder");
   addRecorderOptions(&options->recorder, &line);
   return line.parse(arguments);

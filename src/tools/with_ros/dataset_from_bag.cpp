@@ -40,7 +40,7 @@ bool readOptions(const std::vector<std::string>& arguments, FromBagOptions* opti
       .oneAtATime();
   line.addFlag("hindsight", &drive.hindsight, true, "the goals are places that the robot reached");
   line.section("with --hindsight");
-  addHindsightOptions(&drive.hindsight_parameters, &line);
+  visitHindsightParameters(drive.hindsight_parameters, line.everyParameter());
   line.section("steps: the parameters of dataset_recorder");
   addRecorderOptions(&options->recorder, &line);
   return line.parse(arguments);
