@@ -38,12 +38,17 @@ struct Entry {
   std::function<void(DatasetRows*)> write;
 };
 
+/// What tells a file from another one that has taken its place.
+std::pair<dev_t, ino_t> identityOf(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return {};
+  return {status.st_dev, status.st_ino};
+}
+
 /// Whether the path still leads to the open file: its last holder may have unlinked it in between.
 bool isStillThere(const std::string& path, int descriptor) {
-  struct stat by_path {};
-  struct stat by_descriptor {};
-  return ::stat(path.c_str(), &by_path) == 0 && ::fstat(descriptor, &by_descriptor) == 0 &&
-         by_path.st_ino == by_descriptor.st_ino && by_path.st_dev == by_descriptor.st_dev;
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 && identityOf(path) == std::make_pair(status.st_dev, status.st_ino);
 }
 
 /// Keeps a second writer off a dataset file as long as it lives, by a lock on a file PATH.lock beside it. A lock on the
@@ -52,8 +57,31 @@ bool isStillThere(const std::string& path, int descriptor) {
 class DatasetLock {
  public:
   /// Throws DatasetError when another process, or another writer of this one, has it.
-  explicit DatasetLock(const std::string& path);
-  ~DatasetLock();
+  explicit DatasetLock(const std::string& path) : lock_path_(path + ".lock") {
+    constexpr int kTries = 100;
+    for (int i = 0; i < kTries; ++i) {
+      descriptor_ = ::open(lock_path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+      if (descriptor_ < 0) {
+        throw DatasetError("dataset '" + path + "' cannot be written: '" + lock_path_ + "': " + std::strerror(errno));
+      }
+      if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) {
+        if (isStillThere(lock_path_, descriptor_)) return;
+      } else if (errno == EWOULDBLOCK) {
+        ::close(descriptor_);
+        throw DatasetError("dataset '" + path + "' is being recorded by another writer");
+      } else {
+        const int reason = errno;
+        ::close(descriptor_);
+        throw DatasetError("dataset '" + path + "' cannot be locked: '" + lock_path_ + "': " + std::strerror(reason));
+      }
+      ::close(descriptor_);
+    }
+    throw DatasetError("dataset '" + path + "' cannot be locked: '" + lock_path_ + "' comes and goes");
+  }
+  ~DatasetLock() {
+    ::unlink(lock_path_.c_str());
+    ::close(descriptor_);
+  }
   DatasetLock(const DatasetLock&) = delete;
   DatasetLock& operator=(const DatasetLock&) = delete;
 
@@ -61,40 +89,6 @@ class DatasetLock {
   std::string lock_path_;
   int descriptor_ = -1;
 };
-
-DatasetLock::DatasetLock(const std::string& path) : lock_path_(path + ".lock") {
-  constexpr int kTries = 100;
-  for (int i = 0; i < kTries; ++i) {
-    descriptor_ = ::open(lock_path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) {
-      throw DatasetError("dataset '" + path + "' cannot be written: '" + lock_path_ + "': " + std::strerror(errno));
-    }
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) {
-      if (isStillThere(lock_path_, descriptor_)) return;
-    } else if (errno == EWOULDBLOCK) {
-      ::close(descriptor_);
-      throw DatasetError("dataset '" + path + "' is being recorded by another writer");
-    } else {
-      const int reason = errno;
-      ::close(descriptor_);
-      throw DatasetError("dataset '" + path + "' cannot be locked: '" + lock_path_ + "': " + std::strerror(reason));
-    }
-    ::close(descriptor_);
-  }
-  throw DatasetError("dataset '" + path + "' cannot be locked: '" + lock_path_ + "' comes and goes");
-}
-
-DatasetLock::~DatasetLock() {
-  ::unlink(lock_path_.c_str());
-  ::close(descriptor_);
-}
-
-/// What tells a file from another one that has taken its place.
-std::pair<dev_t, ino_t> identityOf(const std::string& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return {};
-  return {status.st_dev, status.st_ino};
-}
 
 }  // namespace
 

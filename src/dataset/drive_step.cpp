@@ -26,17 +26,15 @@ Value valueNamed(const std::array<const char*, count>& names, const std::string&
   return static_cast<Value>(found - names.begin());
 }
 
-auto asTuple(const SensorMount& mount) {
-  return std::make_tuple(mount.pose.x, mount.pose.y, mount.pose.yaw, mount.upside_down);
-}
-
 }  // namespace
 
 bool ScanGeometry::operator==(const ScanGeometry& other) const {
-  return std::tie(frame, angle_min, angle_increment, beams, range_min, range_max) ==
-             std::tie(other.frame, other.angle_min, other.angle_increment, other.beams, other.range_min,
-                      other.range_max) &&
-         asTuple(mount) == asTuple(other.mount);
+  const auto all = [](const ScanGeometry& geometry) {
+    const auto& [pose, upside_down] = geometry.mount;
+    return std::tie(geometry.frame, geometry.angle_min, geometry.angle_increment, geometry.beams, geometry.range_min,
+                    geometry.range_max, pose.x, pose.y, pose.yaw, upside_down);
+  };
+  return all(*this) == all(other);
 }
 
 LaserScan scanOf(const ScanGeometry& geometry, std::vector<float> ranges) {
