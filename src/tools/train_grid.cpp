@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lstm_planner/common/parallel_for.hpp"
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/grid/map_generators.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
@@ -19,7 +20,6 @@
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/ranks.hpp"
-#include "tools/training.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -191,10 +191,10 @@ std::vector<GridCourse::Set> validationMaps(const GridTrainingMaps& maps) {
   return sets;
 }
 
-GridJudge::GridJudge(const GridTrainingOptions& options, std::vector<GridTaskSet> sets)
-    : options_(options), sets_(std::move(sets)) {}
+GridTrainingHost::GridTrainingHost(const GridTrainingOptions& options, std::vector<GridTaskSet> sets)
+    : ToolTrainingHost(options.loop), options_(options), sets_(std::move(sets)) {}
 
-GridScore GridJudge::judge(const LayerStack& layers) const {
+double GridTrainingHost::judge(const LayerStack& layers) {
   Model model;
   model.layers = layers;
   writeGridMetadata(&model.metadata);
@@ -207,17 +207,17 @@ GridScore GridJudge::judge(const LayerStack& layers) const {
   evaluation.rules.corner_cutting = options_.corner_cutting;
   evaluation.threads = options_.threads;
   evaluation.communicator = ranks();
-  GridScore score;
+  score_ = {};
   for (const GridTaskSet& set : sets_) {
     const auto summary =
         summarizeGridEpisodes(set.name, evaluateGridTasks(set, 0, set.tasks.size(), make_agent, evaluation));
-    score.success.push_back(summary.share(summary.arrived));
-    score.mean += score.success.back() / static_cast<double>(sets_.size());
+    score_.success.push_back(summary.share(summary.arrived));
+    score_.mean += score_.success.back() / static_cast<double>(sets_.size());
   }
-  return score;
+  return score_.mean;
 }
 
-void GridJudge::write(const LayerStack& layers, const GridScore& score) const {
+void GridTrainingHost::keep(const LayerStack& layers) {
   Model model;
   model.layers = layers;
   writeGridMetadata(&model.metadata);
@@ -226,12 +226,14 @@ void GridJudge::write(const LayerStack& layers, const GridScore& score) const {
   text << std::fixed << std::setprecision(3) << "arrival on validation maps with the shield alone, paths of "
        << std::setprecision(0) << options_.min_length << " to " << options_.max_length << " cells in "
        << options_.max_steps << " steps:" << std::setprecision(3);
-  for (std::size_t i = 0; i < sets_.size(); ++i) text << ' ' << sets_[i].name << ' ' << score.success[i];
+  for (std::size_t i = 0; i < sets_.size(); ++i) text << ' ' << sets_[i].name << ' ' << score_.success[i];
   model.metadata["score"] = text.str();
   writeModelFile(options_.loop.output, model);
 }
 
-std::vector<std::string> GridJudge::names() const {
+std::string GridTrainingHost::scoreText(double score) const { return "mean arrival " + fixedText(score, 3); }
+
+std::vector<std::string> GridTrainingHost::names() const {
   std::vector<std::string> names;
   for (const GridTaskSet& set : sets_) names.push_back(set.name);
   return names;

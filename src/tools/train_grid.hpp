@@ -11,6 +11,7 @@
 #include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/training_loop.hpp"
 #include "tools/command_line.hpp"
+#include "tools/training.hpp"
 
 namespace lstm_planner {
 
@@ -69,17 +70,24 @@ struct GridScore {
 };
 
 /// Judges networks while they learn, and writes them to the output file.
-class GridJudge {
+class GridTrainingHost : public ToolTrainingHost {
  public:
-  GridJudge(const GridTrainingOptions& options, std::vector<GridTaskSet> sets);
+  /// `sets`: of validation scenarios. `options` must outlive the host.
+  GridTrainingHost(const GridTrainingOptions& options, std::vector<GridTaskSet> sets);
 
-  GridScore judge(const LayerStack& layers) const;
-  void write(const LayerStack& layers, const GridScore& score) const;
-  std::vector<std::string> names() const;
+  double judge(const LayerStack& layers) final;
+  void keep(const LayerStack& layers) final;
+
+ protected:
+  std::vector<std::string> names() const;            ///< of the sets
+  const GridScore& score() const { return score_; }  ///< what was judged last
 
  private:
-  GridTrainingOptions options_;
+  std::string scoreText(double score) const final;
+
+  const GridTrainingOptions& options_;
   std::vector<GridTaskSet> sets_;
+  GridScore score_;
 };
 
 }  // namespace lstm_planner

@@ -90,10 +90,11 @@ bool readImitationOptions(const std::string& method, const std::vector<std::stri
 /// Lines printed a round, at most, besides its last.
 constexpr int kLinesARound = 20;
 
-class GridImitationHost : public ToolTrainingHost {
+class GridImitationHost : public GridTrainingHost {
  public:
-  GridImitationHost(const TrainingLoopOptions& loop, GridJudge judge, int epochs, const ImitationRounds& training)
-      : ToolTrainingHost(loop), judge_(std::move(judge)), epochs_(epochs), training_(training) {}
+  GridImitationHost(const GridTrainingOptions& options, std::vector<GridTaskSet> sets, int epochs,
+                    const ImitationRounds& training)
+      : GridTrainingHost(options, std::move(sets)), epochs_(epochs), training_(training) {}
 
   void stepDone() override {
     const EpochReport& report = training_.epoch();
@@ -105,31 +106,23 @@ class GridImitationHost : public ToolTrainingHost {
     }
     ToolTrainingHost::stepDone();
   }
-  double judge(const LayerStack& layers) override {
-    score_ = judge_.judge(layers);
-    return score_.mean;
-  }
-  void keep(const LayerStack& layers) override { judge_.write(layers, score_); }
   void judged(const Judgement& judgement) override {
     std::cout << "round " << training_.round() << ", " << training_.collectedSteps() << " steps, best epoch "
               << training_.roundResult().best_epoch << ": arrival with the shield alone" << std::fixed
               << std::setprecision(3);
-    const std::vector<std::string> names = judge_.names();
-    for (std::size_t i = 0; i < names.size(); ++i) std::cout << ' ' << names[i] << ' ' << score_.success[i];
-    std::cout << ", mean " << score_.mean << (judgement.best ? " (best)" : "") << std::endl;
+    const std::vector<std::string> sets = names();
+    for (std::size_t i = 0; i < sets.size(); ++i) std::cout << ' ' << sets[i] << ' ' << score().success[i];
+    std::cout << ", mean " << score().mean << (judgement.best ? " (best)" : "") << std::endl;
   }
 
  private:
   double progress() const override { return training_.progress(); }
   std::string position() const override { return positionOf(training_); }
-  std::string scoreText(double score) const override { return "mean arrival " + fixedText(score, 3); }
   void printHeader() const override { std::cout << table_.headings() << std::endl; }
 
   const TextTable table_{"round  epoch  training accuracy  validation accuracy"};
-  GridJudge judge_;
   int epochs_;  ///< of a round
   const ImitationRounds& training_;
-  GridScore score_;  ///< what was judged last
 };
 
 int trainByImitation(const std::string& method, const std::vector<std::string>& arguments) {
@@ -139,7 +132,7 @@ int trainByImitation(const std::string& method, const std::vector<std::string>& 
   const LayerStack layers = firstLayers(options);
   const GridTrainingMaps maps = loadGridTrainingMaps(options);
   const auto training = gridImitation(parameters, layers, maps.training, validationMaps(maps));
-  GridImitationHost host(options.loop, GridJudge(options, maps.validation), parameters.trainer.epochs, *training);
+  GridImitationHost host(options, maps.validation, parameters.trainer.epochs, *training);
   const TrainingOutcome outcome = runTraining(options.loop, training.get(), &host);
   if (!options.curve.empty() && isFirstRank()) writeLearningCurve(options.curve, training->curve());
   return host.end(outcome);

@@ -93,21 +93,16 @@ void writeGridCurve(const std::string& png_path, const std::vector<std::string>&
              [&](const std::string& path) { return script(csv_path, path, set_names); });
 }
 
-class GridQLearningHost : public ToolTrainingHost {
+class GridQLearningHost : public GridTrainingHost {
  public:
-  GridQLearningHost(const TrainingLoopOptions& loop, GridJudge judge, GridQLearning* training)
-      : ToolTrainingHost(loop), judge_(std::move(judge)), table_(tableOf(judge_.names())), training_(*training) {}
+  GridQLearningHost(const GridTrainingOptions& options, std::vector<GridTaskSet> sets, GridQLearning* training)
+      : GridTrainingHost(options, std::move(sets)), table_(tableOf(names())), training_(*training) {}
 
-  double judge(const LayerStack& layers) override {
-    score_ = judge_.judge(layers);
-    return score_.mean;
-  }
-  void keep(const LayerStack& layers) override { judge_.write(layers, score_); }
   void judged(const Judgement& judgement) override {
     if (!judgement.due) return;
     const ReinforcementReport report = training_.report();
-    points_.push_back({training_.epoch(), report.steps, report.reward, report.arrival, report.ratio, score_.success,
-                       score_.mean, judgement.best});
+    points_.push_back({training_.epoch(), report.steps, report.reward, report.arrival, report.ratio, score().success,
+                       score().mean, judgement.best});
     print(points_.back());
   }
 
@@ -121,13 +116,12 @@ class GridQLearningHost : public ToolTrainingHost {
   }
 
   void drawCurve(const std::string& file) const {
-    if (!file.empty() && !points_.empty() && isFirstRank()) writeGridCurve(file, judge_.names(), points_);
+    if (!file.empty() && !points_.empty() && isFirstRank()) writeGridCurve(file, names(), points_);
   }
 
  private:
   double progress() const override { return training_.progress(); }
   std::string position() const override { return "epoch " + std::to_string(training_.epoch()); }
-  std::string scoreText(double score) const override { return "mean arrival " + fixedText(score, 3); }
   std::string resumption() const override {
     // What was learned since the last epoch ended is lost: that epoch starts anew.
     return training_.epoch() == 0 ? "there is no checkpoint before the end of the first epoch"
@@ -157,10 +151,8 @@ class GridQLearningHost : public ToolTrainingHost {
     std::cout << table_.line(cells) << (point.best ? "  best" : "") << std::endl;
   }
 
-  GridJudge judge_;
   const TextTable table_;
   GridQLearning& training_;
-  GridScore score_;  ///< what was judged last
   std::vector<GridCurvePoint> points_;
 };
 
@@ -208,7 +200,7 @@ int trainGridByQLearning(const std::vector<std::string>& arguments) {
   if (!readOptions(arguments, &options, &parameters)) return 0;
   GridTrainingMaps maps = loadGridTrainingMaps(options);
   const auto training = makeGridQLearning(parameters, std::move(maps.training), firstLayers(options));
-  GridQLearningHost host(options.loop, GridJudge(options, std::move(maps.validation)), training.get());
+  GridQLearningHost host(options, std::move(maps.validation), training.get());
   const TrainingOutcome outcome = runTraining(options.loop, training.get(), &host);
   host.drawCurve(options.curve);
   return host.end(outcome);
