@@ -191,7 +191,8 @@ std::vector<int> judgedAfter(int iterations, int judgements) {
   std::vector<int> judged_after;
   if (learner->judgementDue()) judged_after.push_back(0);
   while (!learner->done()) {
-    EXPECT_EQ(iterate(learner.get()).update, learner->iterations());
+    const int update = iterate(learner.get()).update;
+    EXPECT_EQ(update, learner->iterations());
     if (learner->judgementDue()) judged_after.push_back(learner->iterations());
   }
   return judged_after;
