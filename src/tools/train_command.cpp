@@ -41,7 +41,7 @@ const char* const kHelp =
 trains a network for the robot or for the grid world
 
 RECIPE is a yaml file, or the name of one in models/recipes, by which the shipped networks were trained:
-  create2_lstm, grid_lstm_2x8, grid_rnn_2x16, grid_mlp_4x64, grid_qlearning
+  create2_lstm_first and then create2_lstm, grid_lstm_2x8, grid_rnn_2x16, grid_mlp_4x64, grid_qlearning
 KEY=VALUE replaces a value of the recipe, or adds one: seed=2, cells=[8,8]; false takes a key away. Each key is an
 option, too: --seed 2, --cells 8 8.
 
@@ -55,7 +55,8 @@ There are these trainings. Each has its own keys, which it prints with --help:
   --search                        many small networks of the grid world learn, and are compared (thesis, tables 3.3-3.5)
 
 examples:
-  lstm_planner train create2_lstm seed=2 output=own.onnx
+  lstm_planner train create2_lstm_first seed=2 output=first.onnx
+  lstm_planner train create2_lstm init=first.onnx seed=2 output=own.onnx
   lstm_planner train rounds=3 worlds=60 output=first.onnx
   lstm_planner train task=grid method=dagger --help
 )";

@@ -14,11 +14,11 @@ namespace {
 /// As far as a drive may go, as a multiple of the shortest path that knows the map.
 constexpr double kLongestPath = 2.0;
 
-/// What the robot does in three drives of 5 to 15 m.
-std::vector<DriveResult> driveInWillow(const DrivePolicy& policy, const AgentParameters& parameters) {
+/// What the robot does in drives of 5 to 15 m.
+std::vector<DriveResult> driveInWillow(const DrivePolicy& policy, const AgentParameters& parameters, int drives = 3) {
   const GridWorld world(readMapServerMap(willowMap(), kWillowFreeThreshold));
   std::vector<DriveResult> results;
-  for (const DriveTask& task : drawTasksBetween(world, 3, 5.0, 15.0)) {
+  for (const DriveTask& task : drawTasksBetween(world, drives, 5.0, 15.0)) {
     NavigationAgent agent(policy, parameters);
     results.push_back(drive(world, task, DriveParameters{}, 1, &agent));
   }
@@ -30,6 +30,17 @@ int countGood(const std::vector<DriveResult>& results) {
   return static_cast<int>(std::count_if(results.begin(), results.end(), [](const DriveResult& result) {
     return result.end == DriveResult::End::kReached && result.path_length <= kLongestPath * result.shortest;
   }));
+}
+
+/// Success weighted by path length (Anderson et al. 2018): mean of shortest / driven path, 0 for a drive that did not
+/// arrive.
+double efficiencyOf(const std::vector<DriveResult>& results) {
+  double sum = 0.0;
+  for (const DriveResult& result : results) {
+    if (result.end == DriveResult::End::kReached)
+      sum += result.shortest / std::max(result.shortest, result.path_length);
+  }
+  return sum / static_cast<double>(results.size());
 }
 
 int countContacts(const std::vector<DriveResult>& results) {
@@ -54,10 +65,12 @@ TEST(RealMapDrive, AloneTheShippedNetworkArrivesInWillowAndAUselessOneDoesNot) {
 
   parameters.escape.enabled = false;
   parameters.memory.enabled = false;
-  const std::vector<DriveResult> alone = driveInWillow(DrivePolicy::fromFile(shippedModel()), parameters);
-  EXPECT_EQ(countGood(alone), 3);
+  constexpr int kDrives = 8;
+  const std::vector<DriveResult> alone = driveInWillow(DrivePolicy::fromFile(shippedModel()), parameters, kDrives);
   EXPECT_EQ(countContacts(alone), 0);
-  EXPECT_EQ(countGood(driveInWillow(test::straightAheadPolicy(), parameters)), 0);
+  // In buildings 19 of 20 drives arrive, on 2.1 times the shortest path (models/create2_lstm.md): 0.95 / 2.1.
+  EXPECT_GT(efficiencyOf(alone), 0.45);
+  EXPECT_LT(efficiencyOf(driveInWillow(test::straightAheadPolicy(), parameters, kDrives)), 0.1);
 }
 
 }  // namespace

@@ -98,25 +98,41 @@ Arguments wordsOf(const std::string& command) {
   return {arguments.begin() + 2, arguments.end()};
 }
 
+const fs::path kModels = fs::path(LSTM_PLANNER_SOURCE_DIR) / "models";
+
+std::set<std::string> namesIn(const fs::path& folder, const std::string& extension) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == extension) names.insert(entry.path().stem());
+  }
+  return names;
+}
+
+std::string recipeOf(const std::string& name) { return (kModels / "recipes" / (name + ".yaml")).string(); }
+
 TEST_F(Recipe, OfAShippedModelIsTheCommandThatTrainedIt) {
-  const fs::path models = fs::path(LSTM_PLANNER_SOURCE_DIR) / "models";
-  std::set<std::string> recipes;
-  for (const auto& entry : fs::directory_iterator(models / "recipes")) {
-    const std::string name = entry.path().stem();
-    recipes.insert(name);
-    const auto metadata = readModelMetadata((models / (name + ".onnx")).string());
-    EXPECT_EQ(settingsOf(expandRecipe({entry.path().string()})), settingsOf(wordsOf(metadata.at("training_command"))))
-        << name;
-    const test::Outcome help = runTool("train " + entry.path().string() + " --help");
+  for (const std::string& name : namesIn(kModels, ".onnx")) {
+    const auto metadata = readModelMetadata((kModels / (name + ".onnx")).string());
+    EXPECT_EQ(settingsOf(expandRecipe({recipeOf(name)})), settingsOf(wordsOf(metadata.at("training_command")))) << name;
+  }
+}
+
+TEST_F(Recipe, IsOfAShippedModelOrOfTheOneWithWhichItsTrainingBegins) {
+  std::set<std::string> expected = namesIn(kModels, ".onnx");
+  for (const std::string& name : namesIn(kModels, ".onnx")) {
+    const Settings settings = settingsOf(expandRecipe({recipeOf(name)}));
+    if (settings.count("init") > 0) expected.insert(fs::path(settings.at("init").front()).stem());
+  }
+  EXPECT_EQ(namesIn(kModels / "recipes", ".yaml"), expected);
+}
+
+TEST_F(Recipe, ThatIsShippedCanBeReadAndIsNamedByTheHelp) {
+  const std::string named = runTool("train --help").output;
+  for (const std::string& name : namesIn(kModels / "recipes", ".yaml")) {
+    EXPECT_NE(named.find(" " + name), std::string::npos) << name;
+    const test::Outcome help = runTool("train " + recipeOf(name) + " --help");
     EXPECT_EQ(help.status, 0) << help.output;
   }
-  std::set<std::string> shipped;
-  for (const auto& entry : fs::directory_iterator(models)) {
-    if (entry.path().extension() == ".onnx") shipped.insert(entry.path().stem());
-  }
-  EXPECT_EQ(recipes, shipped);
-  const std::string named = runTool("train --help").output;
-  for (const std::string& name : recipes) EXPECT_NE(named.find(" " + name), std::string::npos) << name;
 }
 
 TEST_F(Recipe, TrainsANetwork) {
