@@ -50,9 +50,9 @@ bool readOptions(const std::vector<std::string>& arguments, JudgeOptions* option
       "prints how well a leader of the robot does alone: no boundary following, four drives per world, random "
       "conditions of sensors, wheels and speed, in worlds that were not used in training");
   line.addFile("model", &o.model, "ONNX file, if the network leads");
-  line.addChoice("leader", &o.leader,
-                 {{"network", Leader::kNetwork}, {"route", Leader::kRoute}, {"none", Leader::kGreedy}},
-                 "who leads: network, route or none");
+  line.addText(
+      "leader", nameOfLeader(o.leader), [&](const std::string& name) { o.leader = leaderNamed(name); },
+      "who leads: network, route or none");
   addWorldKinds(&o.course.worlds, &line);
   line.add("worlds", &o.worlds, kAnyCount, "number of worlds of all kinds together");
   line.add("max-steps", &o.max_steps, kAnyCount, "largest number of steps of a drive");
