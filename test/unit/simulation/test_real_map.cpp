@@ -65,8 +65,9 @@ TEST(RealMapDrive, AloneTheShippedNetworkArrivesInWillowAndAUselessOneDoesNot) {
 
   parameters.escape.enabled = false;
   parameters.memory.enabled = false;
-  constexpr int kDrives = 8;
+  constexpr int kDrives = 5;  // all that drawTasksBetween() finds
   const std::vector<DriveResult> alone = driveInWillow(DrivePolicy::fromFile(shippedModel()), parameters, kDrives);
+  ASSERT_EQ(static_cast<int>(alone.size()), kDrives);
   EXPECT_EQ(countContacts(alone), 0);
   // In buildings 19 of 20 drives arrive, on 2.1 times the shortest path (models/create2_lstm.md): 0.95 / 2.1.
   EXPECT_GT(efficiencyOf(alone), 0.45);
