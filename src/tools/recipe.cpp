@@ -22,12 +22,11 @@ bool isSetting(const std::string& argument) {
 
 Values valuesOf(const YAML::Node& node, const std::string& place) {
   if (node.IsScalar()) return {node.Scalar()};
+  const auto isScalar = [](const YAML::Node& value) { return value.IsScalar(); };
+  if (!node.IsSequence() || !std::all_of(node.begin(), node.end(), isScalar))
+    throw std::invalid_argument(place + ": expected a number, a text, or a list of these");
   Values values;
-  for (const auto& value : node) {
-    if (!node.IsSequence() || !value.IsScalar()) break;
-    values.push_back(value.Scalar());
-  }
-  if (values.empty()) throw std::invalid_argument(place + ": expected a number, a text, or a list of these");
+  for (const auto& value : node) values.push_back(value.Scalar());
   return values;
 }
 
@@ -58,7 +57,9 @@ void remove(const std::string& key, Recipe* recipe) {
                 recipe->end());
 }
 
+/// An empty list leaves the option out.
 void append(const std::string& key, const Values& values, std::vector<std::string>* options) {
+  if (values.empty()) return;
   if (values.size() == 1) {
     if (values.front() != "false")
       options->push_back("--" + key + (values.front() == "true" ? "" : "=" + values.front()));

@@ -44,6 +44,11 @@ TEST_F(Recipe, SettingsReplaceWhatItSays) {
   EXPECT_EQ(expandRecipe({file, "thesis=false", "--cells", "4", "--seed=3"}), (Arguments{"--cells", "4", "--seed=3"}));
 }
 
+TEST_F(Recipe, AnEmptyListLeavesTheDefault) {
+  EXPECT_EQ(expandRecipe({recipe("seed: 1\ninputs: [events, trace]\nkinds: []\n"), "inputs=[]"}),
+            (Arguments{"--seed=1"}));
+}
+
 TEST_F(Recipe, OptionsStayAsTheyAre) {
   const Arguments options{"--maps", "a=0.5", "b", "--seed", "2", "--help"};
   EXPECT_EQ(expandRecipe(options), options);
