@@ -42,8 +42,8 @@ trains a network for the robot or for the grid world
 
 RECIPE is a yaml file, or the name of one in models/recipes, by which the shipped networks were trained:
   create2_lstm_first and then create2_lstm, grid_lstm_2x8, grid_rnn_2x16, grid_mlp_4x64, grid_qlearning
-KEY=VALUE replaces a value of the recipe, or adds one: seed=2, cells=[8,8]; false takes a key away. Each key is an
-option, too: --seed 2, --cells 8 8.
+KEY=VALUE replaces a value of the recipe, or adds one: seed=2, cells=[8,8]; false or [] takes a key away. Each key is
+an option, too: --seed 2, --cells 8 8.
 
 There are these trainings. Each has its own keys, which it prints with --help:
   method=dagger                   the robot learns from the shortest paths of generated worlds (the default)
