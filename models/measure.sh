@@ -44,6 +44,7 @@ drive() {
 measure pairs_drift python3 "$pairs" --model "$model" --drift 0.02
 measure pairs python3 "$pairs" --model "$model"
 measure pairs_buildings python3 "$pairs" --model "$model" --drift 0.02 --kinds --maps "${buildings[@]}"
+measure pairs_buildings_no_drift python3 "$pairs" --model "$model" --kinds --maps "${buildings[@]}"
 measure judge lstm_planner judge --model "$model" --worlds 180 --seed 11 --kinds mazes offices corridors forest open rooms
 
 for kind in "${kinds[@]}"; do
@@ -65,8 +66,10 @@ drive people_jackal_evade --walkers 10 --robot jackal --evade 2.5
 for seed in 1 2 3 4 5; do
   drive "people_$seed" --walkers 10 --goals 100 --seed "$seed"
 done
-for seed in 1 2 3; do
+for seed in {1..10}; do
   drive "cylinders_$seed" --worlds dynabarn --robot jackal --evade 2.5 --seed "$seed"
+done
+for seed in 1 2 3; do
   drive "cylinders_waiting_$seed" --worlds dynabarn --robot jackal --evade 0 --seed "$seed"
 done
 for robot in create2_hokuyo create2_rplidar turtlebot3_burger turtlebot3_waffle jackal; do
