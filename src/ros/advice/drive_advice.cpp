@@ -12,11 +12,9 @@
 #include <exception>
 #include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "lstm_planner/common/output_file.hpp"
-#include "lstm_planner/common/parameter_visitors.hpp"
 #include "lstm_planner/practice/decision_replay.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "lstm_planner/ros/common/parameter_reader.hpp"
@@ -201,7 +199,6 @@ DriveAdviceParameters loadDriveAdviceParameters(const ros::NodeHandle& private_n
   visitDriveAdviceParameters(parameters, reader.visitor());
   reader.knowRobotFile();
   reader.warnOfUnknown();
-  visitDriveAdviceParameters(std::as_const(parameters), RangeCheck());
   parameters.planner = loadGlobalPlannerParameters(ros::NodeHandle(private_node, "LstmGlobalPlanner"));
   return parameters;
 }

@@ -6,9 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
-#include "lstm_planner/common/parameter_visitors.hpp"
 #include "lstm_planner/ros/common/parameter_reader.hpp"
 
 namespace lstm_planner {
@@ -19,7 +17,6 @@ GlobalPlannerParameters loadGlobalPlannerParameters(const ros::NodeHandle& node_
   visitGlobalPlannerParameters(parameters, reader.visitor());
   reader.warnOfUnknown();
 
-  visitGlobalPlannerParameters(std::as_const(parameters), RangeCheck());
   parameters.agent = fittedToFootprint(parameters.agent);
   validate(parameters);
   return parameters;

@@ -16,7 +16,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "lstm_planner/common/words.hpp"
@@ -329,8 +328,7 @@ Create2StubParameters loadCreate2StubParameters(const ros::NodeHandle& private_n
   ParameterReader reader(private_node);
   Create2StubParameters parameters;
   reader.read("scenario/start", &parameters.start);
-  visitCreate2StubParameters(parameters, reader.visitor());
-  visitCreate2StubParameters(std::as_const(parameters), RangeCheck{private_node.getNamespace() + "/"});
+  visitCreate2StubParameters(parameters, reader.visitor(private_node.getNamespace() + "/"));
   validate(parameters.robot);
   validate(parameters.laser);
   validate(parameters.second_laser);

@@ -14,7 +14,6 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "lstm_planner/common/geometry.hpp"
@@ -394,8 +393,7 @@ void readGoals(const ros::NodeHandle& node, const std::string& frame, double tim
 DemoParameters loadDemoParameters(const ros::NodeHandle& private_node) {
   DemoParameters parameters;
   ParameterReader reader(private_node);
-  visitDemoParameters(parameters, reader.visitor());
-  visitDemoParameters(std::as_const(parameters), RangeCheck{private_node.getNamespace() + "/"});
+  visitDemoParameters(parameters, reader.visitor(private_node.getNamespace() + "/"));
   reader.know("start");
   reader.knowGroup("scenario");
   reader.warnOfUnknown();

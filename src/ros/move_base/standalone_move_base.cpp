@@ -19,10 +19,8 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "lstm_planner/common/geometry.hpp"
-#include "lstm_planner/common/parameter_visitors.hpp"
 #include "lstm_planner/drive/decision/arrival.hpp"
 #include "lstm_planner/ros/common/parameter_reader.hpp"
 #include "lstm_planner/ros/common/transform_listener.hpp"
@@ -105,8 +103,7 @@ std::string classOf(const std::string& plugin) { return plugin.substr(plugin.fin
 StandaloneMoveBaseParameters loadStandaloneMoveBaseParameters(const ros::NodeHandle& private_node) {
   StandaloneMoveBaseParameters parameters;
   ParameterReader reader(private_node);
-  visitStandaloneMoveBaseParameters(parameters, reader.visitor());
-  visitStandaloneMoveBaseParameters(std::as_const(parameters), RangeCheck{private_node.getNamespace() + "/"});
+  visitStandaloneMoveBaseParameters(parameters, reader.visitor(private_node.getNamespace() + "/"));
   for (const char* name : kOnlyOfTheRealMoveBase) {
     reader.know(name);
     reader.knowGroup(name);

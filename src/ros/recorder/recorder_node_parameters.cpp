@@ -2,7 +2,6 @@
 
 #include <array>
 #include <stdexcept>
-#include <utility>
 
 #include "lstm_planner/common/parameter_visitors.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
@@ -32,7 +31,6 @@ RecorderNodeParameters loadRecorderNodeParameters(const ros::NodeHandle& node_ha
   reader.warnOfUnknown();
   readRobotFile(node_handle, &parameters);
 
-  visitRecorderNodeParameters(std::as_const(parameters), RangeCheck());
   parameters.recorder.agent = fittedToFootprint(parameters.recorder.agent);
   validate(parameters.recorder);
   checkParameter(parameters.waypoints.size() != 1, "waypoints", 1.0, "a list of none or of at least two");

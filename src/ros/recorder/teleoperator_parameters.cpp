@@ -1,7 +1,6 @@
 #include "lstm_planner/ros/recorder/teleoperator_parameters.hpp"
 
 #include <stdexcept>
-#include <utility>
 
 namespace lstm_planner {
 
@@ -9,7 +8,6 @@ TeleoperatorParameters loadTeleoperatorParameters(const ros::NodeHandle& private
   TeleoperatorParameters parameters;
   ParameterReader reader(private_node);
   visitTeleoperatorParameters(parameters, reader.visitor());
-  visitTeleoperatorParameters(std::as_const(parameters), RangeCheck());
   validate(parameters.driver);
   if (parameters.map.empty()) {
     throw std::invalid_argument("parameter " + private_node.resolveName("map") +

@@ -21,12 +21,10 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "lstm_planner/common/input_file.hpp"
 #include "lstm_planner/common/output_file.hpp"
-#include "lstm_planner/common/parameter_visitors.hpp"
 #include "lstm_planner/drive/perception/laser_scan.hpp"
 #include "lstm_planner/practice/decision_replay.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
@@ -299,7 +297,6 @@ BagReplayParameters loadBagReplayParameters(const ros::NodeHandle& private_node)
     throw std::invalid_argument("parameter " + private_node.resolveName("bag") +
                                 " is empty, expected the path of a bag");
   }
-  visitBagReplayParameters(std::as_const(parameters), RangeCheck());
   parameters.bag = resolvedPath(parameters.bag);
   parameters.decisions = resolvedPath(parameters.decisions);
   return parameters;

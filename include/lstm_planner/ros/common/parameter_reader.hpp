@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lstm_planner/common/geometry.hpp"
-#include "lstm_planner/common/range.hpp"
+#include "lstm_planner/common/parameter_visitors.hpp"
 
 namespace lstm_planner {
 
@@ -27,9 +27,13 @@ class ParameterReader {
  public:
   explicit ParameterReader(const ros::NodeHandle& node_handle) : node_handle_(node_handle) {}
 
-  /// Reads what it is called with; see parameter_visitors.hpp. Not longer than the reader lives.
-  auto visitor() {
-    return [this](const std::string& name, auto& value, Range, const char*, const char*) { read(name, &value); };
+  /// Reads what it is called with, and throws as RangeCheck; see parameter_visitors.hpp. Not longer than the reader
+  /// lives. `prefix`: of the names in a refusal of RangeCheck.
+  auto visitor(const std::string& prefix = "") {
+    return [this, prefix](const std::string& name, auto& value, Range range, const char* unit, const char* meaning) {
+      read(name, &value);
+      RangeCheck{prefix}(name, value, range, unit, meaning);
+    };
   }
 
   /// Leaves `value` alone when the parameter is not set. Whatever can be meant is accepted: 1 for a number, 30.0 or a
