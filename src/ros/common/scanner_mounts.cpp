@@ -4,7 +4,9 @@
 #include <tf2/exceptions.h>
 
 #include <cmath>
+#include <stdexcept>
 
+#include "lstm_planner/drive/perception/message_age.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 
 namespace lstm_planner {
@@ -63,9 +65,9 @@ const SensorMount& ScannerMounts::at(const std::string& frame) {
     return known->second = mount;
   } catch (const tf2::TransformException& error) {
     if (known != mounts_.end()) return known->second;  // tf forgets all when the clock is set back
-    throw MountUnknown("the pose of the scanner is not known: " + std::string(error.what()));
+    throw SensorError("the pose of the scanner is not known: " + std::string(error.what()));
   } catch (const std::invalid_argument& error) {
-    throw MountUnknown(error.what());
+    throw SensorError(error.what());
   }
 }
 

@@ -189,16 +189,12 @@ void SensorListener::sayTimeoutsOnce() {
 const SensorMount& SensorListener::mountOf(const Scanner& scanner) {
   const std::string frame = frameName(scanner.message->header.frame_id);
   if (frame.empty()) throw SensorError("the scan on " + scanner.watch.topic() + " names no frame");
-  try {
-    const SensorMount& mount = mounts_.at(frame);
-    if (!odometry_base_.isKnown()) {
-      ROS_WARN_ONCE("tf does not know the frame that the odometry on %s is of (child_frame_id): %s is taken",
-                    odometry_subscriber_.getTopic().c_str(), base_frame_.c_str());
-    }
-    return mount;
-  } catch (const MountUnknown& error) {
-    throw SensorError(error.what());
+  const SensorMount& mount = mounts_.at(frame);
+  if (!odometry_base_.isKnown()) {
+    ROS_WARN_ONCE("tf does not know the frame that the odometry on %s is of (child_frame_id): %s is taken",
+                  odometry_subscriber_.getTopic().c_str(), base_frame_.c_str());
   }
+  return mount;
 }
 
 }  // namespace lstm_planner

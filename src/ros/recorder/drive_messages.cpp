@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lstm_planner/drive/perception/message_age.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "ros/common/goal_listener.hpp"
 
@@ -130,7 +131,7 @@ const SensorMount* DriveMessages::mountOf(const std::string& frame) {
   if (given_mount_) return &*given_mount_;
   try {
     return &mounts_.at(frame);
-  } catch (const MountUnknown& error) {
+  } catch (const SensorError& error) {
     reject(Rejection::kNoTransform, error.what());
     return nullptr;
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "lstm_planner/drive/perception/message_age.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "lstm_planner/ros/common/scanner_mounts.hpp"
 
@@ -35,7 +36,7 @@ TEST_F(ScannerMountsTest, TheLastOneCountsWhileTfKnowsNone) {
   mounts_.at("laser");
   tf_.clear();
   EXPECT_EQ(mounts_.at("laser").pose.x, 0.1);
-  EXPECT_THROW(mounts_.at("another"), MountUnknown);
+  EXPECT_THROW(mounts_.at("another"), SensorError);
 }
 
 TEST_F(ScannerMountsTest, ARobotFrameThatTfDoesNotKnowIsReplacedByTheCostmaps) {

@@ -3,7 +3,6 @@
 #include <tf2/buffer_core.h>
 
 #include <map>
-#include <stdexcept>
 #include <string>
 
 #include "lstm_planner/drive/perception/laser_scan.hpp"
@@ -12,12 +11,6 @@ namespace lstm_planner {
 
 /// Whether a transform of a part of the robot has changed by more than rounding (1 mm, 0.002 rad).
 bool differ(const Pose2& one, const Pose2& other);
-
-/// It is not known where a scanner sits; what() says why.
-class MountUnknown : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Where scanners sit on the robot, by the newest transforms. Says so when one moves or is corrected.
 class ScannerMounts {
@@ -30,7 +23,7 @@ class ScannerMounts {
   /// The robot's frame has this name; nothing happens where it is empty.
   void setBaseFrame(const std::string& base_frame);
 
-  /// Of the scanner in that frame; the last known one while tf does not know it. Throws MountUnknown if there is none.
+  /// Of the scanner in that frame; the last known one while tf does not know it. Throws SensorError if there is none.
   const SensorMount& at(const std::string& frame);
 
  private:
