@@ -47,7 +47,8 @@ void DriveMessages::hear(const sensor_msgs::LaserScan& scan, const ros::Time& re
   const SensorMount* mount = mountOf(heard.frame);
   if (mount == nullptr) return;
   heard.mount = *mount;
-  add(std::move(heard));
+  DriveEvent event = std::move(heard);
+  if (isUsable(event)) recorder_.add(std::move(event));
 }
 
 void DriveMessages::hear(const nav_msgs::Odometry& odometry, const ros::Time& received) {
@@ -59,7 +60,7 @@ void DriveMessages::hear(const nav_msgs::Odometry& odometry, const ros::Time& re
   odometry_heard_ = true;
   odometry_frame_ = frameName(odometry.header.frame_id);
   mounts_.setBaseFrame(robotFrameOf(odometry));
-  add(heard);
+  recorder_.add(heard);
 }
 
 void DriveMessages::hear(const move_base_msgs::MoveBaseActionGoal& goal, const std::string& source,
@@ -104,13 +105,13 @@ void DriveMessages::hearGoal(const geometry_msgs::PoseStamped& goal, const std::
   last_goal_ = LastGoal{heard.goal, source, heard.stamp};
   if (forwarded) return;
   action_goal_ = {};
-  add(heard);
+  recorder_.add(heard);
 }
 
 void DriveMessages::hearEnd(const ros::Time& stamp) {
   last_goal_.reset();
   action_goal_ = {};
-  add(GoalGivenUp{stamp.toSec()});
+  recorder_.add(GoalGivenUp{stamp.toSec()});
 }
 
 std::optional<Pose2> DriveMessages::locate(const std::string& frame, double stamp) const {
@@ -141,10 +142,6 @@ bool DriveMessages::isUsable(const DriveEvent& event) {
   const std::string flaw = flawOf(event);
   if (!flaw.empty()) reject(Rejection::kNotFinite, flaw);
   return flaw.empty();
-}
-
-void DriveMessages::add(DriveEvent event) {
-  if (isUsable(event)) recorder_.add(std::move(event));
 }
 
 void DriveMessages::reject(Rejection rejection, const std::string& problem) {

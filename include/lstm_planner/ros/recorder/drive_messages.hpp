@@ -39,8 +39,6 @@ class DriveMessages {
   /// A goal that is driven to from now on. `source`: Episode::goal_source. The same goal heard twice, as
   /// move_base_simple's from move_base, is one.
   void hearGoal(const geometry_msgs::PoseStamped& goal, const std::string& source, const ros::Time& received);
-  /// The goal is not driven to any more: cancelled or given up. `stamp`: when.
-  void hearEnd(const ros::Time& stamp);
 
   DriveRecorder& recorder() { return recorder_; }
   const DriveRecorder& recorder() const { return recorder_; }
@@ -59,7 +57,8 @@ class DriveMessages {
   std::optional<Pose2> locate(const std::string& frame, double stamp) const;
   const SensorMount* mountOf(const std::string& frame);
   bool isUsable(const DriveEvent& event);
-  void add(DriveEvent event);
+  /// The goal is not driven to any more: cancelled or given up. `stamp`: when.
+  void hearEnd(const ros::Time& stamp);
   void reject(Rejection rejection, const std::string& problem);
 
   const tf2::BufferCore& tf_;
