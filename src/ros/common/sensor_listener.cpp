@@ -18,6 +18,18 @@ constexpr double kAngleSlack = 0.02;  // rad
 
 }  // namespace
 
+void perceive(const SensorReading& reading, const Pose2& from_odometry, const ScanRules& rules, double range_cap,
+              Situation* situation) {
+  const ScanReading& first = reading.first;
+  perceive(first.scan, first.mount, rules, range_cap, situation);
+  situation->pose = compose(from_odometry, first.pose);
+  situation->time = first.stamp;
+  if (const auto& second = reading.second) {
+    perceiveSecond({second->scan, second->mount, compose(from_odometry, second->pose), second->stamp}, rules,
+                   situation);
+  }
+}
+
 SensorListener::SensorListener(MessageQueue* messages, const SensorParameters& parameters,
                                const std::string& base_frame, const tf2_ros::Buffer& tf)
     : messages_(*messages),
@@ -47,12 +59,13 @@ ScannerWatch SensorListener::watchFor(const std::string& topic) const {
 
 void SensorListener::hear(const ScanEvent& event, Scanner* scanner) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  scanner->message = event.getConstMessage();
-  fromMessage(*scanner->message, &scanner->scan);
+  const sensor_msgs::LaserScan& message = *event.getConstMessage();
+  fromMessage(message, &scanner->scan);
+  scanner->frame = frameName(message.header.frame_id);
   const ros::Time received = event.getReceiptTime();
-  scanner->watch.hear(scanner->scan, parameters_.scan_rules, stampOr(scanner->message->header.stamp, received).toSec(),
+  scanner->watch.hear(scanner->scan, parameters_.scan_rules, stampOr(message.header.stamp, received).toSec(),
                       received.toSec(), history_.empty() ? Pose2() : history_.newest().pose);
-  sayContradictions(*scanner->message, scanner->watch.topic());
+  sayContradictions(message, scanner->watch.topic());
 }
 
 void SensorListener::onOdometry(const ros::MessageEvent<nav_msgs::Odometry const>& event) {
@@ -127,7 +140,7 @@ SensorReading SensorListener::read(const ros::Time& now) {
 
 ScanReading SensorListener::readingOf(const Scanner& scanner) {
   const double stamp = scanner.watch.stamp();
-  return {scanner.message, stamp, mountOf(scanner), history_.poseAt(stamp)};
+  return {scanner.scan, stamp, mountOf(scanner), history_.poseAt(stamp)};
 }
 
 std::optional<Pose2> SensorListener::newestPose() {
@@ -187,9 +200,8 @@ void SensorListener::sayTimeoutsOnce() {
 }
 
 const SensorMount& SensorListener::mountOf(const Scanner& scanner) {
-  const std::string frame = frameName(scanner.message->header.frame_id);
-  if (frame.empty()) throw SensorError("the scan on " + scanner.watch.topic() + " names no frame");
-  const SensorMount& mount = mounts_.at(frame);
+  if (scanner.frame.empty()) throw SensorError("the scan on " + scanner.watch.topic() + " names no frame");
+  const SensorMount& mount = mounts_.at(scanner.frame);
   if (!odometry_base_.isKnown()) {
     ROS_WARN_ONCE("tf does not know the frame that the odometry on %s is of (child_frame_id): %s is taken",
                   odometry_subscriber_.getTopic().c_str(), base_frame_.c_str());

@@ -15,6 +15,7 @@
 #include "lstm_planner/drive/perception/odometry_history.hpp"
 #include "lstm_planner/drive/perception/period_meter.hpp"
 #include "lstm_planner/drive/perception/scanner_watch.hpp"
+#include "lstm_planner/drive/perception/situation.hpp"
 #include "lstm_planner/drive/plugin_parameters.hpp"
 #include "lstm_planner/ros/common/scanner_mounts.hpp"
 #include "ros/common/message_queue.hpp"
@@ -24,7 +25,7 @@ namespace lstm_planner {
 
 /// The newest scan of a scanner.
 struct ScanReading {
-  sensor_msgs::LaserScan::ConstPtr scan;
+  LaserScan scan;
   double stamp = 0.0;  ///< s; when it was received, where the driver does not stamp its scans
   SensorMount mount;   ///< of the scanner in the base frame
   Pose2 pose;          ///< base in the odometry frame when the scan was taken
@@ -40,6 +41,11 @@ struct SensorReading {
   Twist2 twist;       ///< newest, base frame; by the poses where the messages' twist contradicts them
   long jumps = 0;     ///< how often the odometry has jumped so far
 };
+
+/// Fills a situation with what the scanners of a reading see. `from_odometry`: the odometry frame in the situation's.
+/// Throws as perceive() of one scan and perceiveSecond().
+void perceive(const SensorReading& reading, const Pose2& from_odometry, const ScanRules& rules, double range_cap,
+              Situation* situation);
 
 /// How a sensor's messages come.
 struct SensorHealth {
@@ -77,8 +83,8 @@ class SensorListener {
   struct Scanner {
     explicit Scanner(const ScannerWatch& scanner_watch) : watch(scanner_watch) {}
     ScannerWatch watch;
-    sensor_msgs::LaserScan::ConstPtr message;
-    LaserScan scan;  ///< the same
+    LaserScan scan;
+    std::string frame;
   };
 
   void onScan(const ScanEvent& event) { hear(event, &first_); }

@@ -134,20 +134,8 @@ Pose2 PlanFollower::odometryFromPlan(const std::string& odometry_frame, const ro
   return plan_.empty() ? Pose2() : frames_.transform(odometry_frame, plan_frame_, now);
 }
 
-void PlanFollower::see(const SensorReading& reading) {
-  const ScanRules& rules = parameters_.sensors.scan_rules;
-  fromMessage(*reading.first.scan, &scan_);
-  lstm_planner::perceive(scan_, reading.first.mount, rules, kLeastReach, &seen_);
-  seen_.pose = reading.first.pose;
-  seen_.time = reading.first.stamp;
-  const auto& second = reading.second;
-  if (!second) return;
-  fromMessage(*second->scan, &second_scan_);
-  perceiveSecond({second_scan_, second->mount, second->pose, second->stamp}, rules, &seen_);
-}
-
 void PlanFollower::perceive(const SensorReading& reading, const ros::Time& now) {
-  see(reading);
+  lstm_planner::perceive(reading, {}, parameters_.sensors.scan_rules, kLeastReach, &seen_);
   const bool jumped = reading.jumps != jumps_;
   jumps_ = reading.jumps;
   if (jumped) {

@@ -62,7 +62,6 @@ class PlanFollower {
  private:
   void checkPlanAge(const ros::Time& now) const;
   Pose2 odometryFromPlan(const std::string& odometry_frame, const ros::Time& now) const;
-  void see(const SensorReading& reading);
   void perceive(const SensorReading& reading, const ros::Time& now);
 
   SteeringControllerParameters parameters_;
@@ -78,12 +77,11 @@ class PlanFollower {
 
   ros::Time plan_time_;  ///< when the plan was set
   std::string plan_frame_;
-  std::vector<Pose2> plan_;       ///< plan's frame
-  LaserScan scan_, second_scan_;  ///< of the current call
-  Situation seen_;                ///< by the scans of the current call
-  std::vector<Point2> marked_;    ///< of the costmap, not of the scans; base frame, m
-  double speed_ = 0.0;            ///< m/s
-  long jumps_ = 0;                ///< of the odometry, until the last call
+  std::vector<Pose2> plan_;     ///< plan's frame
+  Situation seen_;              ///< by the scans of the current call
+  std::vector<Point2> marked_;  ///< of the costmap, not of the scans; base frame, m
+  double speed_ = 0.0;          ///< m/s
+  long jumps_ = 0;              ///< of the odometry, until the last call
 };
 
 }  // namespace lstm_planner

@@ -162,17 +162,8 @@ void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2&
 }
 
 void PlanMaker::perceive(const SensorReading& reading) {
-  const ScanReading& first = reading.first;
-  const ScanRules& rules = parameters_.sensors.scan_rules;
-  fromMessage(*first.scan, &scan_);
-  lstm_planner::perceive(scan_, first.mount, rules, agent_.policy().description().encoder.range_cap, &seen_);
-  seen_.pose = compose(global_from_odometry_, first.pose);
-  seen_.time = first.stamp;
-  if (const auto& second = reading.second) {
-    fromMessage(*second->scan, &second_scan_);
-    const Pose2 pose = compose(global_from_odometry_, second->pose);
-    perceiveSecond({second_scan_, second->mount, pose, second->stamp}, rules, &seen_);
-  }
+  lstm_planner::perceive(reading, global_from_odometry_, parameters_.sensors.scan_rules,
+                         agent_.policy().description().encoder.range_cap, &seen_);
   warnOfReturnsInside();
   const Pose2 global_pose = seen_.pose;
   if (isDriftCorrected(reading)) drift_.correct(&seen_);

@@ -118,15 +118,14 @@ class PlanMaker {
   ros::Time now_;                                ///< of the current call
   std::optional<GoalTracker::Verdict> verdict_;  ///< of the current call
   CorrectionWatch corrections_;
-  DriftCorrection drift_;         ///< from the global frame to the agent's
-  long jumps_ = 0;                ///< of odometry or localisation, so far
-  Pose2 global_from_odometry_;    ///< of the current call
-  LaserScan scan_, second_scan_;  ///< of the current call
-  Situation seen_;                ///< of the current call, global frame
-  Decision preview_;              ///< of the last question
-  std::vector<Pose2> plan_;       ///< of the current call, global frame
-  Pose2 driven_goal_;             ///< global frame, as it was given
-  bool is_driving_ = false;       ///< a goal was set, and it is not known how it ended
+  DriftCorrection drift_;       ///< from the global frame to the agent's
+  long jumps_ = 0;              ///< of odometry or localisation, so far
+  Pose2 global_from_odometry_;  ///< of the current call
+  Situation seen_;              ///< of the current call, global frame
+  Decision preview_;            ///< of the last question
+  std::vector<Pose2> plan_;     ///< of the current call, global frame
+  Pose2 driven_goal_;           ///< global frame, as it was given
+  bool is_driving_ = false;     ///< a goal was set, and it is not known how it ended
   std::optional<DriveEnd> end_;
   std::optional<Leader> leader_;                ///< that was said last
   bool said_too_short_ = false;                 ///< of the scanner, that it is so for the network
