@@ -7,7 +7,6 @@
 #include <ros/ros.h>
 #include <ros/time.h>
 #include <rosbag/bag.h>
-#include <rosbag/exceptions.h>
 #include <rosbag/view.h>
 #include <rosgraph_msgs/Clock.h>
 #include <sensor_msgs/LaserScan.h>
@@ -15,15 +14,12 @@
 #include <tf2_ros/static_transform_broadcaster.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "lstm_planner/common/input_file.hpp"
 #include "lstm_planner/common/output_file.hpp"
 #include "lstm_planner/drive/perception/laser_scan.hpp"
 #include "lstm_planner/practice/decision_replay.hpp"
@@ -56,7 +52,7 @@ class BagReplayPlayer {
     std::string odometry;
   };
 
-  /// Throws std::invalid_argument when the bag cannot be read.
+  /// Of a bag that recordBags() has read.
   BagReplayPlayer(const std::string& path, const Topics& topics);
 
   /// The robot's, as the odometry names it; empty where it does not.
@@ -102,15 +98,8 @@ BagReplayPlayer::BagReplayPlayer(const std::string& path, const Topics& topics)
       odometry_(node_.advertise<nav_msgs::Odometry>("odom", kQueue)),
       transforms_(node_.advertise<tf2_msgs::TFMessage>("/tf", kQueue)),
       map_(node_.advertise<nav_msgs::OccupancyGrid>("map", 1, true)) {
-  try {
-    checkInputFile(path, std::numeric_limits<std::uintmax_t>::max());
-    bag_.open(path);
-    readClock();
-  } catch (const InputFileError& error) {
-    throw std::invalid_argument("'" + path + "' cannot be read: " + error.what());
-  } catch (const rosbag::BagException& error) {
-    throw std::invalid_argument("'" + path + "' cannot be read: " + error.what());
-  }
+  bag_.open(path);
+  readClock();
 }
 
 void BagReplayPlayer::readClock() {
