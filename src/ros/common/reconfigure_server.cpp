@@ -44,19 +44,13 @@ struct AddTo {
   void operator()(const std::string& value) const { addTo(name, value, &config->strs); }
 };
 
-void add(const std::string& name, const Value& value, Config* config) { std::visit(AddTo{name, config}, value); }
-
-void addGroup(Config* config) {
+Config toMessage(const ParameterRows& rows) {
+  Config config;
+  for (const ParameterRow& row : rows) std::visit(AddTo{row.name, &config}, row.value);
   dynamic_reconfigure::GroupState group;
   group.name = "Default";
   group.state = true;
-  config->groups.push_back(group);
-}
-
-Config toMessage(const ParameterRows& rows) {
-  Config config;
-  for (const ParameterRow& row : rows) add(row.name, row.value, &config);
-  addGroup(&config);
+  config.groups.push_back(group);
   return config;
 }
 
@@ -78,11 +72,9 @@ Value limitOf(const ParameterRow& row, bool most) {
   return std::visit(choose, row.value);
 }
 
-Config limitsOf(const ParameterRows& rows, bool most) {
-  Config config;
-  for (const ParameterRow& row : rows) add(row.name, limitOf(row, most), &config);
-  addGroup(&config);
-  return config;
+Config limitsOf(ParameterRows rows, bool most) {
+  for (ParameterRow& row : rows) row.value = limitOf(row, most);
+  return toMessage(rows);
 }
 
 /// A menu, as dynamic_reconfigure writes it.
