@@ -17,9 +17,6 @@ struct Choice {
   bool search = false;
 };
 
-constexpr const char* kRobotMethod = "dagger";
-constexpr const char* kGridMethod = "dagger";
-
 bool namesDataset(const std::vector<std::string>& arguments) {
   return std::any_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
     return argument == "--dataset" || argument.rfind("--dataset=", 0) == 0;
@@ -31,7 +28,7 @@ Choice readChoice(const std::vector<std::string>& arguments) {
                 std::find(arguments.begin(), arguments.end(), "--search") != arguments.end()};
   if (choice.task.empty()) choice.task = choice.search ? "grid" : "robot";
   if (namesDataset(arguments)) choice.method = "dataset";
-  if (choice.method.empty()) choice.method = choice.task == "robot" ? kRobotMethod : kGridMethod;
+  if (choice.method.empty()) choice.method = "dagger";
   return choice;
 }
 
