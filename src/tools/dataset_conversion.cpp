@@ -64,7 +64,6 @@ void printOutcome(const Recording& recording) {
 Recording converted(const Parts& parts, const RecorderParameters& parameters, const Converter& convert) {
   RecordingDescription description;
   description.parameters = parameters;
-  description.software_version = softwareVersion();
   description.source = joined(parts);
   for (const std::string& part : parts) std::cout << part << "\n";
   ExplainedSink sink(description);

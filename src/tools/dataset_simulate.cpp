@@ -111,7 +111,6 @@ int datasetSimulate(const std::vector<std::string>& arguments) {
     drives.steps = options.drives.steps * (i + 1) / maps - options.drives.steps * i / maps;
     RecordingDescription description;
     description.parameters = drives.recorder;
-    description.software_version = softwareVersion();
     description.source = "simulation in " + options.maps[static_cast<std::size_t>(i)];
     description.odometry_frame = "odom";
     RecordingSink sink(description);

@@ -16,17 +16,17 @@ class DatasetError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The version of this package, e.g. "0.2.0".
+std::string softwareVersion();
+
 /// What holds for all steps of a recording.
 struct RecordingDescription {
   RecorderParameters parameters;
-  std::string software_version;  ///< of this package
-  std::string source;            ///< "live", or the path of the bag or log
-  std::string odometry_frame;    ///< may be empty where there are no frames
-  std::string begun;             ///< UTC, ISO 8601, by the computer's clock
+  std::string software_version = softwareVersion();
+  std::string source;          ///< "live", or the path of the bag or log
+  std::string odometry_frame;  ///< may be empty where there are no frames
+  std::string begun;           ///< UTC, ISO 8601, by the computer's clock
 };
-
-/// The version of this package, e.g. "0.2.0".
-std::string softwareVersion();
 
 /// As RecordingDescription::begun.
 std::string utcTime(double seconds_since_1970);

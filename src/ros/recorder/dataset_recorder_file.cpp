@@ -27,7 +27,6 @@ RecorderFile::RecorderFile(const RecorderNodeParameters& parameters)
 void RecorderFile::open(const std::string& odometry_frame, RecordingProgress* progress) {
   RecordingDescription description;
   description.parameters = parameters_;
-  description.software_version = softwareVersion();
   description.source = "live";
   description.odometry_frame = odometry_frame;
   description.begun = utcTime(static_cast<double>(std::time(nullptr)));

@@ -19,7 +19,6 @@ using DatasetTest = test::FolderTest;
 inline RecordingDescription exampleDescription(const std::string& source = "live") {
   RecordingDescription description;
   description.parameters.period = 0.4;
-  description.software_version = softwareVersion();
   description.source = source;
   description.odometry_frame = "odom";
   description.begun = "2026-11-21T12:00:00Z";
