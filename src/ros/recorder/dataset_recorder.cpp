@@ -129,11 +129,8 @@ class DatasetRecorder {
   DriveMessages messages_;
   WaypointPicker waypoints_;
   std::optional<int> exit_code_;  ///< once nothing is recorded any more
-  std::string problem_;           ///< what nobody expected to go wrong
 
-  long scans_heard_ = 0;
-  long odometry_heard_ = 0;
-  long goals_heard_ = 0;            ///< and their ends
+  RecordingStatus status_;          ///< what is counted, and what stays as it is
   ros::WallTime last_scan_;         ///< zero before the first
   ros::WallTime last_odometry_;     ///< zero before the first
   ros::Time odometry_stamp_;        ///< of the newest
@@ -177,6 +174,14 @@ DatasetRecorder::DatasetRecorder(const RecorderNodeParameters& parameters)
   services_ = {private_node_.advertiseService("pause", &DatasetRecorder::pause, this),
                private_node_.advertiseService("discard_episode", &DatasetRecorder::discardEpisode, this),
                private_node_.advertiseService("finish", &DatasetRecorder::finishByService, this)};
+  constexpr double kShortestAlarm = 2.0;  // s
+  status_.node = ros::this_node::getName().substr(1);
+  status_.disk_low = parameters.disk_low;
+  status_.scan_topic = subscribers_.at(0).getTopic();
+  status_.odometry_topic = subscribers_.at(1).getTopic();
+  status_.longest_silence = std::max(kShortestAlarm, parameters.recorder.max_gap);
+  status_.action_angles = parameters.recorder.action_angles;
+  status_.progress = &progress_;
   timer_ = private_node_.createWallTimer(kStatusPeriod, &DatasetRecorder::onTimer, this);
 }
 
@@ -194,14 +199,14 @@ void DatasetRecorder::guarded(const std::function<void()>& work) {
   try {
     work();
   } catch (const std::exception& error) {
-    problem_ = error.what();
+    status_.problem = error.what();
     ROS_ERROR_THROTTLE(10.0, "%s", error.what());
   }
 }
 
 void DatasetRecorder::onScan(const sensor_msgs::LaserScan::ConstPtr& scan) {
   guarded([&] {
-    ++scans_heard_;
+    ++status_.scans_heard;
     last_scan_ = ros::WallTime::now();
     messages_.hear(*scan, ros::Time::now());
     afterSensing();
@@ -211,7 +216,7 @@ void DatasetRecorder::onScan(const sensor_msgs::LaserScan::ConstPtr& scan) {
 void DatasetRecorder::onOdometry(const nav_msgs::Odometry::ConstPtr& odometry) {
   if (!file_.isOpen() && !exit_code_) openFile(frameName(odometry->header.frame_id));
   guarded([&] {
-    ++odometry_heard_;
+    ++status_.odometry_heard;
     const ros::Time now = ros::Time::now();
     last_odometry_ = ros::WallTime::now();
     odometry_stamp_ = odometry->header.stamp.isZero() ? now : odometry->header.stamp;
@@ -234,7 +239,7 @@ template <typename Message, typename Hear>
 ros::Subscriber DatasetRecorder::subscribeToGoals(const std::string& topic, const Hear& hear) {
   const boost::function<void(const boost::shared_ptr<const Message>&)> work = [this, hear](const auto& message) {
     guarded([&] {
-      ++goals_heard_;
+      ++status_.goals_heard;
       hear(*message);
     });
   };
@@ -317,7 +322,7 @@ std::string DatasetRecorder::finish() {
       sentence << progress_.steps() << " steps in " << progress_.episodes() - progress_.discarded()
                << " episodes are in " << file_.path();
     } else {
-      sentence << "no odometry was received on " << subscribers_.at(1).getTopic() << ", so there is no file";
+      sentence << "no odometry was received on " << status_.odometry_topic << ", so there is no file";
     }
     ROS_INFO("finished: %s", sentence.str().c_str());
     // ROS's log is silent once it is shut down, as by rosnode kill.
@@ -345,33 +350,21 @@ void DatasetRecorder::onTimer(const ros::WallTimerEvent&) {
     } else {
       ROS_WARN("%s", line.c_str());
     }
-    problem_.clear();
+    status_.problem.clear();
   });
 }
 
 RecordingStatus DatasetRecorder::status() const {
-  constexpr double kShortestAlarm = 2.0;  // s
   const auto silenceSince = [](const ros::WallTime& last) {
     return last.isZero() ? std::nullopt : std::optional<double>((ros::WallTime::now() - last).toSec());
   };
-  RecordingStatus status;
-  status.node = ros::this_node::getName().substr(1);
+  RecordingStatus status = status_;
   file_.describe(&status);
-  status.problem = problem_;
-  status.disk_low = parameters_.disk_low;
   status.message_problem = messages_.problem();
-  status.scan_topic = subscribers_.at(0).getTopic();
-  status.odometry_topic = subscribers_.at(1).getTopic();
-  status.scans_heard = scans_heard_;
-  status.odometry_heard = odometry_heard_;
-  status.goals_heard = goals_heard_;
   status.scan_silence = silenceSince(last_scan_);
   status.odometry_silence = silenceSince(last_odometry_);
-  status.longest_silence = std::max(kShortestAlarm, parameters_.recorder.max_gap);
   status.paused = messages_.recorder().paused();
   status.goal = messages_.recorder().goal();
-  status.action_angles = parameters_.recorder.action_angles;
-  status.progress = &progress_;
   if (!snapshots_.empty()) {
     const Snapshot& before = snapshots_.front();
     status.recent_steps = progress_.steps() - before.steps;
