@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <optional>
@@ -31,7 +30,7 @@ const Choices<std::vector<std::string>> kMapKinds = {
 std::vector<std::string> kindsWith(const std::string& option) {
   std::vector<std::string> names;
   for (const auto& [name, options] : kMapKinds) {
-    if (std::find(options.begin(), options.end(), option) != options.end()) names.push_back(name);
+    if (contains(options, option)) names.push_back(name);
   }
   return names;
 }
@@ -41,7 +40,7 @@ void checkKind(const std::string& kind, const CommandLine& line) {
   for (const auto& [name, options] : kMapKinds) {
     for (const std::string& option : options) {
       const std::vector<std::string> having = kindsWith(option);
-      if (!line.given(option) || std::find(having.begin(), having.end(), kind) != having.end()) continue;
+      if (!line.given(option) || contains(having, kind)) continue;
       throw std::invalid_argument("option --" + option + " cannot be used with --kind " + kind + ", expected --kind " +
                                   joinedByOr(having));
     }

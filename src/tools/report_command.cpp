@@ -1,8 +1,8 @@
-#include <algorithm>
 #include <iostream>
 #include <optional>
 #include <sstream>
 
+#include "lstm_planner/common/words.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_report.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
@@ -62,12 +62,9 @@ std::optional<GridTaskSet> trainingTasks(const GridOptions& options) {
 }  // namespace
 
 int runReport(const std::vector<std::string>& arguments) {
-  const auto names = [&](const char* flag) {
-    return std::find(arguments.begin(), arguments.end(), flag) != arguments.end();
-  };
-  if (names("--thesis")) return runThesisReport(arguments);
-  if (names("--memory-task")) return runMemoryReport(arguments);
-  if (names("--q-table")) return runQTableReport(arguments);
+  if (contains(arguments, "--thesis")) return runThesisReport(arguments);
+  if (contains(arguments, "--memory-task")) return runMemoryReport(arguments);
+  if (contains(arguments, "--q-table")) return runQTableReport(arguments);
   ReportOptions options;
   if (!readOptions(arguments, &options)) return 0;
   makeOutputFolder(options.output);

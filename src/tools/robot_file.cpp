@@ -13,6 +13,7 @@
 
 #include "lstm_planner/common/nearest_name.hpp"
 #include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/common/words.hpp"
 #include "lstm_planner/drive/plugin_parameters.hpp"
 #include "lstm_planner/simulation/create2.hpp"
 #include "lstm_planner/simulation/hokuyo.hpp"
@@ -72,7 +73,7 @@ class GroupReader {
     if (!node.IsMap()) throw std::invalid_argument(place_ + " is not a group of parameters");
     for (const auto& entry : node) {
       const std::string name = prefix + entry.first.as<std::string>();
-      if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
+      if (contains(known_, name)) continue;
       if (!entry.second.IsMap()) {
         throw std::invalid_argument(place_ + "/" + name + ": there is no parameter of that name" +
                                     hintAtParameter(name, known_));

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "lstm_planner/common/words.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/recipe.hpp"
@@ -25,7 +26,7 @@ bool namesDataset(const std::vector<std::string>& arguments) {
 
 Choice readChoice(const std::vector<std::string>& arguments) {
   Choice choice{CommandLine::peek("task", arguments), CommandLine::peek("method", arguments),
-                std::find(arguments.begin(), arguments.end(), "--search") != arguments.end()};
+                contains(arguments, "--search")};
   if (choice.task.empty()) choice.task = choice.search ? "grid" : "robot";
   if (namesDataset(arguments)) choice.method = "dataset";
   if (choice.method.empty()) choice.method = "dagger";

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <string>
@@ -6,6 +5,7 @@
 #include <vector>
 
 #include "lstm_planner/common/text_table.hpp"
+#include "lstm_planner/common/words.hpp"
 #include "lstm_planner/grid_world/learning/grid_imitation.hpp"
 #include "lstm_planner/training/learning_curve.hpp"
 #include "tools/command.hpp"
@@ -52,7 +52,7 @@ void setDefaults(bool dagger, bool thesis, GridTrainingOptions* options, GridImi
 bool readImitationOptions(const std::string& method, const std::vector<std::string>& arguments,
                           GridTrainingOptions* options, GridImitationParameters* parameters) {
   const bool dagger = method == "dagger";
-  const bool thesis = std::find(arguments.begin(), arguments.end(), "--thesis") != arguments.end();
+  const bool thesis = contains(arguments, "--thesis");
   GridImitationParameters& p = *parameters;
   GridDatasetParameters& dataset = p.dataset;
   OptimiserParameters& optimiser = p.trainer.optimiser;

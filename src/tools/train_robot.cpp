@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lstm_planner/common/text_table.hpp"
+#include "lstm_planner/common/words.hpp"
 #include "lstm_planner/practice/dataset_sequences.hpp"
 #include "lstm_planner/training/confusion.hpp"
 #include "tools/command.hpp"
@@ -33,8 +34,7 @@ std::vector<std::string> groupsToAdd() {
   std::vector<std::string> groups;
   for (const NetworkInput& input : networkInputs()) {
     const std::string group = input.group;
-    const bool is_known = std::find(groups.begin(), groups.end(), group) != groups.end();
-    if (!is_known && group != "thesis" && group != "views") groups.push_back(group);
+    if (!contains(groups, group) && group != "thesis" && group != "views") groups.push_back(group);
   }
   return groups;
 }
@@ -60,7 +60,7 @@ void addInputs(const std::vector<std::string>& groups, EncoderParameters* encode
     } else if (group == "angles") {
       useAnglesAlone(&layout);
     } else {
-      if (std::find(known.begin(), known.end(), group) == known.end()) {
+      if (!contains(known, group)) {
         std::string expected = "events-alone";
         for (const std::string& name : known) expected += ", " + name;
         throw std::invalid_argument("--inputs names '" + group + "', expected some of " + expected);

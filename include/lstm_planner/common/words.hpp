@@ -18,6 +18,10 @@ inline std::vector<std::string> wordsOf(std::string text) {
   return words;
 }
 
+inline bool contains(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 /// "a, b, c".
 inline std::string joined(const std::vector<std::string>& words, const std::string& separator = ", ") {
   std::string text;

@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "lstm_planner/common/words.hpp"
 #include "lstm_planner/drive/plugin_parameters.hpp"
 
 namespace lstm_planner {
@@ -112,10 +113,7 @@ class ReconfigureServer {
   using Request = dynamic_reconfigure::Reconfigure::Request;
   using Response = dynamic_reconfigure::Reconfigure::Response;
 
-  bool isChangeable(const std::string& name) const {
-    const auto& names = reconfiguration_.changeable;
-    return std::find(names.begin(), names.end(), name) != names.end();
-  }
+  bool isChangeable(const std::string& name) const { return contains(reconfiguration_.changeable, name); }
 
   ConfigDescription describe() const {
     ConfigDescription message;

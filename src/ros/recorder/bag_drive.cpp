@@ -26,6 +26,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/common/input_file.hpp"
+#include "lstm_planner/common/words.hpp"
 #include "lstm_planner/dataset/drive_events.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "lstm_planner/ros/recorder/drive_messages.hpp"
@@ -172,10 +173,6 @@ class BagPlayer {
   const std::string& firstSkipped() const { return first_skipped_; }
 
  private:
-  static bool isAmong(const std::vector<std::string>& topics, const std::string& topic) {
-    return std::find(topics.begin(), topics.end(), topic) != topics.end();
-  }
-
   void play(const rosbag::MessageInstance& message, tf2::BufferCore* tf, OdometryFromTransforms* odometry,
             BagListener* listener) {
     const std::string topic = message.getTopic();
@@ -185,9 +182,9 @@ class BagPlayer {
     } else if (topic == topics_.odometry) {
       const auto heard = messageOf<nav_msgs::Odometry>(message);
       if (heard && isPlausible(*heard, message)) listener->hear(*heard, message.getTime());
-    } else if (isAmong(topics_.transforms, topic)) {
+    } else if (contains(topics_.transforms, topic)) {
       playTransforms(message, tf, odometry, listener);
-    } else if (isAmong(topics_.goals, topic)) {
+    } else if (contains(topics_.goals, topic)) {
       listener->hearGoal(message);
     } else {
       listener->hearEnd(message);

@@ -9,7 +9,6 @@
 #include <sensor_msgs/LaserScan.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <algorithm>
 #include <set>
 #include <stdexcept>
 
@@ -37,10 +36,6 @@ std::vector<std::string> topicsOf(const Connections& connections) {
     if (isOf<Message>(*connection)) topics.insert(connection->topic);
   }
   return {topics.begin(), topics.end()};
-}
-
-bool contains(const std::vector<std::string>& topics, const std::string& topic) {
-  return std::find(topics.begin(), topics.end(), topic) != topics.end();
 }
 
 std::string contentOf(const Connections& connections) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lstm_planner/common/markdown_table.hpp"
+#include "lstm_planner/common/words.hpp"
 #include "lstm_planner/ros/advice/drive_advice.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
@@ -31,10 +32,6 @@ struct Row {
   std::string meaning;
 };
 using Table = std::vector<Row>;
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 std::string textOf(bool value) { return value ? "true" : "false"; }
 std::string textOf(const std::string& value) { return value.empty() ? "\"\"" : value; }
