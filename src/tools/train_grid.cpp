@@ -207,14 +207,15 @@ double GridTrainingHost::judge(const LayerStack& layers) {
   evaluation.rules.corner_cutting = options_.corner_cutting;
   evaluation.threads = options_.threads;
   evaluation.communicator = ranks();
-  score_ = {};
+  success_.clear();
+  double mean = 0.0;
   for (const GridTaskSet& set : sets_) {
     const auto summary =
         summarizeGridEpisodes(set.name, evaluateGridTasks(set, 0, set.tasks.size(), make_agent, evaluation));
-    score_.success.push_back(summary.share(summary.arrived));
-    score_.mean += score_.success.back() / static_cast<double>(sets_.size());
+    success_.push_back(summary.share(summary.arrived));
+    mean += success_.back() / static_cast<double>(sets_.size());
   }
-  return score_.mean;
+  return mean;
 }
 
 void GridTrainingHost::keep(const LayerStack& layers) {
@@ -226,7 +227,7 @@ void GridTrainingHost::keep(const LayerStack& layers) {
   text << std::fixed << std::setprecision(3) << "arrival on validation maps with the shield alone, paths of "
        << std::setprecision(0) << options_.min_length << " to " << options_.max_length << " cells in "
        << options_.max_steps << " steps:" << std::setprecision(3);
-  for (std::size_t i = 0; i < sets_.size(); ++i) text << ' ' << sets_[i].name << ' ' << score_.success[i];
+  for (std::size_t i = 0; i < sets_.size(); ++i) text << ' ' << sets_[i].name << ' ' << success_[i];
   model.metadata["score"] = text.str();
   writeModelFile(options_.loop.output, model);
 }

@@ -63,13 +63,7 @@ GridTrainingMaps loadGridTrainingMaps(const GridTrainingOptions& options);
 /// The validation scenarios' maps with the sets' weights.
 std::vector<GridCourse::Set> validationMaps(const GridTrainingMaps& maps);
 
-/// What a network scores on the validation scenarios, with the shield alone.
-struct GridScore {
-  std::vector<double> success;  ///< share of each set's scenarios that arrived
-  double mean = 0.0;            ///< over the sets
-};
-
-/// Judges networks while they learn, and writes them to the output file.
+/// Judges networks while they learn, by the mean of success(), and writes them to the output file.
 class GridTrainingHost : public ToolTrainingHost {
  public:
   /// `sets`: of validation scenarios. `options` must outlive the host.
@@ -79,15 +73,16 @@ class GridTrainingHost : public ToolTrainingHost {
   void keep(const LayerStack& layers) final;
 
  protected:
-  std::vector<std::string> names() const;            ///< of the sets
-  const GridScore& score() const { return score_; }  ///< what was judged last
+  std::vector<std::string> names() const;  ///< of the sets
+  /// Share of each set's scenarios in which the network that was judged last arrived, with the shield alone.
+  const std::vector<double>& success() const { return success_; }
 
  private:
   std::string scoreText(double score) const final;
 
   const GridTrainingOptions& options_;
   std::vector<GridTaskSet> sets_;
-  GridScore score_;
+  std::vector<double> success_;
 };
 
 }  // namespace lstm_planner

@@ -111,8 +111,8 @@ class GridImitationHost : public GridTrainingHost {
               << training_.roundResult().best_epoch << ": arrival with the shield alone" << std::fixed
               << std::setprecision(3);
     const std::vector<std::string> sets = names();
-    for (std::size_t i = 0; i < sets.size(); ++i) std::cout << ' ' << sets[i] << ' ' << score().success[i];
-    std::cout << ", mean " << score().mean << (judgement.best ? " (best)" : "") << std::endl;
+    for (std::size_t i = 0; i < sets.size(); ++i) std::cout << ' ' << sets[i] << ' ' << success()[i];
+    std::cout << ", mean " << judgement.score << (judgement.best ? " (best)" : "") << std::endl;
   }
 
  private:
