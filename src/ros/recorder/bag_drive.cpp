@@ -248,8 +248,7 @@ class Survey : public BagListener {
     result.odometry_frame = frameName(odometry.header.frame_id);
     const std::string robot_frame = robotFrameOf(odometry);
     if (!robot_frame.empty()) base_frame_ = robot_frame;
-    const ros::Time stamp = odometry.header.stamp.isZero() ? received : odometry.header.stamp;
-    const OdometryHeard heard{stamp.toSec(), fromMessage(odometry.pose.pose), {}};
+    const OdometryHeard heard{stampOr(odometry.header.stamp, received).toSec(), fromMessage(odometry.pose.pose), {}};
     if (isFinite(heard.pose)) put(heard);
   }
 
@@ -314,8 +313,7 @@ class Recorder : public BagListener {
 
   void hear(const nav_msgs::Odometry& odometry, const ros::Time& received) override {
     messages_.hear(odometry, received);
-    const ros::Time stamp = odometry.header.stamp.isZero() ? received : odometry.header.stamp;
-    goals_.tell(stamp.toSec(), &messages_.recorder());
+    goals_.tell(stampOr(odometry.header.stamp, received).toSec(), &messages_.recorder());
   }
 
   void hearGoal(const rosbag::MessageInstance& message) override {

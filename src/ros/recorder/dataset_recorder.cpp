@@ -219,7 +219,7 @@ void DatasetRecorder::onOdometry(const nav_msgs::Odometry::ConstPtr& odometry) {
     ++status_.odometry_heard;
     const ros::Time now = ros::Time::now();
     last_odometry_ = ros::WallTime::now();
-    odometry_stamp_ = odometry->header.stamp.isZero() ? now : odometry->header.stamp;
+    odometry_stamp_ = stampOr(odometry->header.stamp, now);
     messages_.hear(*odometry, now);
     afterSensing();
   });
