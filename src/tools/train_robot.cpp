@@ -130,6 +130,19 @@ void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTra
   line->whenParsed([options] { validate(options->course); });
 }
 
+LayerStack firstLayers(const std::string& init, const NetworkShape& shape, std::uint64_t seed,
+                       PolicyDescription* policy) {
+  if (!init.empty()) {
+    Model model = readModelFile(init);
+    *policy = readPolicyDescription(model.metadata);
+    return std::move(model.layers);
+  }
+  const int inputs = static_cast<int>(policy->encoder.input_layout.size());
+  LayerStack layers = makeNetwork(inputs, shape, networkOutputs(*policy));
+  initialise({}, seed, layers);
+  return layers;
+}
+
 void writeRobotModel(const RobotTrainingOptions& options, const PolicyDescription& policy, const LayerStack& layers,
                      const DriveScore& score) {
   Model model;

@@ -52,6 +52,11 @@ void finishRobotNetworkOptions(const RobotNetworkOptions& options, EncoderParame
 void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTrainingOptions* options,
                              CommandLine* line);
 
+/// The network to start with: the one in the file `init`, whose description replaces `policy`; where that is empty, a
+/// new one.
+LayerStack firstLayers(const std::string& init, const NetworkShape& shape, std::uint64_t seed,
+                       PolicyDescription* policy);
+
 /// Writes the model with its description, the command and the score.
 void writeRobotModel(const RobotTrainingOptions& options, const PolicyDescription& policy, const LayerStack& layers,
                      const DriveScore& score);

@@ -70,19 +70,6 @@ bool readPlan(const std::vector<std::string>& arguments, RobotReinforcementPlan*
   return true;
 }
 
-/// Those of the model to start with, whose description replaces `policy`, or new ones.
-LayerStack firstLayers(const RobotReinforcementPlan& plan, PolicyDescription* policy) {
-  if (!plan.init.empty()) {
-    Model model = readModelFile(plan.init);
-    *policy = readPolicyDescription(model.metadata);
-    return std::move(model.layers);
-  }
-  const int inputs = static_cast<int>(policy->encoder.input_layout.size());
-  LayerStack layers = makeNetwork(inputs, plan.network.shape, networkOutputs(*policy));
-  initialise({}, plan.options.seed, layers);
-  return layers;
-}
-
 class RobotReinforcementHost : public ToolTrainingHost {
  public:
   RobotReinforcementHost(const RobotReinforcementPlan& plan, const DriveActorCritic& training)
@@ -141,7 +128,7 @@ class RobotReinforcementHost : public ToolTrainingHost {
 int trainRobotByActorCritic(const std::vector<std::string>& arguments) {
   RobotReinforcementPlan plan;
   if (!readPlan(arguments, &plan)) return 0;
-  LayerStack layers = firstLayers(plan, &plan.learner.policy);
+  LayerStack layers = firstLayers(plan.init, plan.network.shape, plan.options.seed, &plan.learner.policy);
   const auto training = makeDriveActorCritic(plan.learner, std::move(layers));
   if (!plan.recordings.empty()) {
     training->follow(readDatasetsFor(plan.learner.policy, plan.recordings), plan.recordings_weight);

@@ -21,7 +21,6 @@
 #include "lstm_planner/practice/dataset_training.hpp"
 #include "lstm_planner/training/confusion.hpp"
 #include "lstm_planner/training/imitation_rounds.hpp"
-#include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/learning_curve.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
 #include "lstm_planner/training/training_stability.hpp"
@@ -199,19 +198,14 @@ class RecordedCourse : public ImitationCourse {
 
 /// The network before; `policy` is filled in.
 LayerStack firstLayers(const DatasetTrainingOptions& options, const Dataset& training, PolicyDescription* policy) {
-  if (options.fromModel()) {
-    Model model = readModelFile(options.init);
-    *policy = readPolicyDescription(model.metadata);
-    DrivePolicy(*policy, model.layers);  // throws unless they fit together
-    return std::move(model.layers);
+  if (!options.fromModel()) {
+    *policy = policyOf(training);
+    const double range_cap = policy->encoder.range_cap;
+    policy->encoder = options.encoder;
+    policy->encoder.range_cap = range_cap;
   }
-  *policy = policyOf(training);
-  const double range_cap = policy->encoder.range_cap;
-  policy->encoder = options.encoder;
-  policy->encoder.range_cap = range_cap;
-  const int inputs = static_cast<int>(policy->encoder.input_layout.size());
-  LayerStack layers = makeNetwork(inputs, options.network.shape, policy->actions.size());
-  initialise({}, options.seed, layers);
+  LayerStack layers = firstLayers(options.init, options.network.shape, options.seed, policy);
+  if (options.fromModel()) DrivePolicy(*policy, layers);  // throws unless they fit together
   return layers;
 }
 
