@@ -21,7 +21,7 @@ void ScanChanges::find(const Situation& situation, const ObstacleWindow& window)
   findReturns(situation, window);
   cleared_.clear();
   findCleared(situation.profile, situation.pose, window);
-  for (const SecondView& view : situation.second) findCleared(view.profile, situation.pose, window);
+  findCleared(situation.second.profile, situation.pose, window);
 }
 
 void ScanChanges::findReturns(const Situation& situation, const ObstacleWindow& window) {

@@ -2,25 +2,14 @@
 
 namespace lstm_planner {
 
-MovingSurroundings::MovingSurroundings(const MovingReturnsParameters& parameters) : parameters_(parameters) {
-  eyes_.emplace_back(parameters_);
-}
-
 void MovingSurroundings::expectSpeed(double fastest) {
-  fastest_ = fastest;
   for (Eye& eye : eyes_) eye.returns.expectSpeed(fastest);
 }
 
 void MovingSurroundings::show(const Situation& situation) {
-  while (eyes_.size() < 1 + situation.second.size()) {
-    eyes_.emplace_back(parameters_);
-    eyes_.back().returns.expectSpeed(fastest_);
-  }
-  eyes_.front().returns.show(situation.profile, situation.pose, situation.time);
-  for (std::size_t i = 0; i < situation.second.size(); ++i) {
-    // The profile is that of the situation's pose, so its time counts, too: the robot moves from one to the next.
-    eyes_[i + 1].returns.show(situation.second[i].profile, situation.pose, situation.time);
-  }
+  eyes_[0].returns.show(situation.profile, situation.pose, situation.time);
+  // The profile is that of the situation's pose, so its time counts, too: the robot moves from one to the next.
+  eyes_[1].returns.show(situation.second.profile, situation.pose, situation.time);
   collect();
 }
 
@@ -35,12 +24,12 @@ void MovingSurroundings::collect() {
 
 std::vector<MovingThing> MovingSurroundings::follow(const Situation& situation) {
   std::vector<MovingThing> things;
-  for (std::size_t i = 0; i < 1 + situation.second.size(); ++i) {
+  const std::array<double, 2> times = {situation.time, situation.second.time};
+  for (std::size_t i = 0; i < eyes_.size(); ++i) {
     Eye& eye = eyes_[i];
-    const double time = i == 0 ? situation.time : situation.second[i - 1].time;
-    eye.things.show(eye.returns.returns(), eye.returns.moves(), time);
+    eye.things.show(eye.returns.returns(), eye.returns.moves(), times[i]);
     for (MovingThing thing : eye.things.around(situation.pose)) {
-      const double since = situation.time - time;
+      const double since = situation.time - times[i];
       thing.center.x += since * thing.velocity.x;
       thing.center.y += since * thing.velocity.y;
       things.push_back(thing);

@@ -26,9 +26,7 @@ bool isInView(const RangeProfile& profile, const Point2& place) {
 }
 
 bool isInView(const Situation& situation, const Point2& place) {
-  return isInView(situation.profile, place) ||
-         std::any_of(situation.second.begin(), situation.second.end(),
-                     [&](const SecondView& view) { return isInView(view.profile, place); });
+  return isInView(situation.profile, place) || isInView(situation.second.profile, place);
 }
 
 }  // namespace

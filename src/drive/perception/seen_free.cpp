@@ -28,9 +28,7 @@ bool isSeenFree(const RangeProfile& profile, const Point2& place) {
 }  // namespace
 
 bool isSeenFree(const Situation& situation, const Point2& place) {
-  return isSeenFree(situation.profile, place) ||
-         std::any_of(situation.second.begin(), situation.second.end(),
-                     [&](const SecondView& view) { return isSeenFree(view.profile, place); });
+  return isSeenFree(situation.profile, place) || isSeenFree(situation.second.profile, place);
 }
 
 double seenFreeBehind(const Situation& situation, const Footprint& footprint, double margin, double limit) {

@@ -11,12 +11,11 @@ void perceive(const LaserScan& scan, const SensorMount& mount, const ScanRules& 
   situation->sectors = averageSectors(situation->profile, rules.least_measured, range_cap);
   toPoints(situation->profile, &situation->beams, &situation->obstacles);
   situation->marked.clear();
-  for (SecondView& view : situation->second) view.profile.ranges.clear();
+  situation->second.profile.ranges.clear();
 }
 
 void perceiveSecond(const TakenScan& taken, const ScanRules& rules, Situation* situation) {
-  if (situation->second.empty()) situation->second.emplace_back();
-  SecondView& view = situation->second.front();
+  SecondView& view = situation->second;
   // As if it had been mounted there when the first scan was taken.
   const Pose2 moved = compose(inverse(situation->pose), taken.pose);
   const SensorMount mount{compose(moved, taken.mount.pose), taken.mount.upside_down};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "lstm_planner/drive/perception/moving_returns.hpp"
@@ -13,7 +14,7 @@ namespace lstm_planner {
 class MovingSurroundings {
  public:
   /// Throws std::invalid_argument as validate().
-  explicit MovingSurroundings(const MovingReturnsParameters& parameters);
+  explicit MovingSurroundings(const MovingReturnsParameters& parameters) : eyes_{{Eye(parameters), Eye(parameters)}} {}
 
   /// As MovingReturns.
   void expectSpeed(double fastest);
@@ -41,9 +42,7 @@ class MovingSurroundings {
 
   void collect();
 
-  MovingReturnsParameters parameters_;
-  double fastest_ = 0.0;   ///< m/s
-  std::vector<Eye> eyes_;  ///< a scanner each
+  std::array<Eye, 2> eyes_;  ///< a scanner each
   std::vector<Point2> points_, resting_;
 };
 

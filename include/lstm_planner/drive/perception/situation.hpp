@@ -26,15 +26,15 @@ struct SecondView {
 
 /// What the agent knows at one moment: its pose according to odometry, and what the scanner sees from there.
 struct Situation {
-  double time = 0.0;               ///< s
-  Pose2 pose;                      ///< base in the odometry frame
-  Sectors sectors;                 ///< for the network
-  std::vector<Point2> obstacles;   ///< measured returns in the base frame, m, of both scanners where there are two; for
-                                   ///< shield, escape and controller
-  std::vector<Point2> marked;      ///< obstacles of a costmap (CostmapObstacles), base frame, m; perceive() has none
-  RangeProfile profile;            ///< the same scan by direction, in the base frame; for what is seen to be free
-  BeamDirections beams;            ///< of the scanner; only perceive() needs them, and only to be fast
-  std::vector<SecondView> second;  ///< of the second scanner; empty where the robot has one
+  double time = 0.0;              ///< s
+  Pose2 pose;                     ///< base in the odometry frame
+  Sectors sectors;                ///< for the network
+  std::vector<Point2> obstacles;  ///< measured returns in the base frame, m, of both scanners where there are two; for
+                                  ///< shield, escape and controller
+  std::vector<Point2> marked;     ///< obstacles of a costmap (CostmapObstacles), base frame, m; perceive() has none
+  RangeProfile profile;           ///< the same scan by direction, in the base frame; for what is seen to be free
+  BeamDirections beams;           ///< of the scanner; only perceive() needs them, and only to be fast
+  SecondView second;              ///< without ranges where the robot has one scanner
 };
 
 /// Fills sectors, obstacles and profile from a scan, reusing the memory of `situation`. Planner, controller, recorder

@@ -83,7 +83,7 @@ TEST_F(TwoScanners, WhatTheSecondOneSawIsForgottenWithTheNextScanOfTheFirst) {
   see({});
   perceive(halfScan(), {}, {}, 6.0, &situation_);
   EXPECT_TRUE(situation_.obstacles.empty());
-  EXPECT_EQ(situation_.second.front().profile.beamTowards(M_PI), -1) << "nor does it show anything free";
+  EXPECT_EQ(situation_.second.profile.beamTowards(M_PI), -1) << "nor does it show anything free";
 }
 
 TEST_F(TwoScanners, TheMemoryHoldsWhatOnlyTheSecondOneSeesUntilItSeesThatItHasGone) {
