@@ -112,7 +112,8 @@ const Eigen::VectorXf& DrivePolicy::advance(const Observation& observation) {
 
 const Eigen::VectorXf& DrivePolicy::advanceViews(const Observation& observation) {
   const ViewBearings bearings = bearingsOf(observation);
-  encoder_.encodeViews(observation, bearings, input_.data(), view_inputs_.data(), kDriveViews);
+  encoder_.encode(observation, input_);
+  encoder_.turn(input_.data(), bearings, view_inputs_.data(), kDriveViews);
   std::array<float, kDriveViews> outputs;
   for (int view = 0; view < kDriveViews; ++view) {
     input_ = view_inputs_.col(view);

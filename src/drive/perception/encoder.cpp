@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -43,40 +42,17 @@ bool hasEvents(const std::vector<std::string>& layout) {
 /// A sector is half as wide as views lie apart.
 constexpr int kSectorsAView = 2;
 
-/// Values around the robot, an eighth of a turn apart; twice, so that they can be copied from any on.
-class Ring {
- public:
-  void set(std::size_t i, float value) { values_[i] = values_[i + kDriveViews] = value; }
-  void copyFrom(int first, float* to) const {
-    const auto from = static_cast<std::size_t>(first & (kDriveViews - 1));
-    std::memcpy(to, &values_[from], kDriveViews * sizeof(float));
-  }
-
- private:
-  std::array<float, 2 * kDriveViews> values_;
-};
-
-/// What the view ahead sees, for each view: `at` are the rows of a group's inputs, `ahead` is the view ahead.
-void spread(InputTurns turns, const std::array<std::int16_t, kDriveViews>& at, const float* ahead, int direction,
-            float* inputs, int stride) {
-  const auto rowOf = [&](std::size_t i) { return inputs + at[i] * stride; };
-  if (turns == InputTurns::kWithScanner) {
-    // The scanner sees half of the directions. Every second sector lies a view on.
-    Ring even{};
-    Ring odd{};
-    for (std::size_t i = 0; i < kSectorCount; i += kSectorsAView) {
-      even.set(i / kSectorsAView, ahead[at[i]]);
-      odd.set(i / kSectorsAView, ahead[at[i + 1]]);
+/// What the view ahead sees, for each view: `at` are the rows of a group's eight inputs, `ahead` is the view ahead,
+/// which looks into `direction`. `on`: of the inputs from one view to the next.
+void spread(const std::array<std::int16_t, kDriveViews>& at, const float* ahead, int direction, int on, float* inputs,
+            int stride) {
+  const int all_around = on * kDriveViews;
+  for (int i = 0; i < kDriveViews; ++i) {
+    float* const row = inputs + at[static_cast<std::size_t>(i)] * stride;
+    for (int view = 0; view < kDriveViews; ++view) {
+      const auto from = static_cast<std::size_t>((i + on * (view - direction)) & (all_around - 1));
+      row[view] = from < at.size() ? ahead[at[from]] : 0.0f;  // the scanner does not see all around
     }
-    for (std::size_t i = 0; i < kSectorCount; ++i) {
-      (i % kSectorsAView == 0 ? even : odd).copyFrom(static_cast<int>(i) / kSectorsAView - direction, rowOf(i));
-    }
-  } else if (turns == InputTurns::kAround) {
-    Ring around{};
-    for (std::size_t i = 0; i < kDriveViews; ++i) around.set(i, ahead[at[i]]);
-    for (std::size_t i = 0; i < kDriveViews; ++i) around.copyFrom(static_cast<int>(i) - direction, rowOf(i));
-  } else {
-    std::fill_n(rowOf(0), kDriveViews, ahead[at[0]]);
   }
 }
 
@@ -198,13 +174,11 @@ void Encoder::encode(const Observation& observation, Eigen::Ref<Eigen::VectorXf>
     seen.previous_action = bearings.previous_action;
     seen.motion = bearings.motion;
   }
-  for (const Group& group : groups_) fill(group, seen, input.data());
-}
-
-void Encoder::fill(const Group& group, const Observation& observation, float* input) const {
-  for (int i = 0; i < group.input->count; ++i) {
-    const std::int16_t at = group.at[static_cast<std::size_t>(i)];
-    if (at >= 0) input[at] = static_cast<float>(group.input->value(observation, *parameters_, i));
+  for (const Group& group : groups_) {
+    for (int i = 0; i < group.input->count; ++i) {
+      const std::int16_t at = group.at[static_cast<std::size_t>(i)];
+      if (at >= 0) input[at] = static_cast<float>(group.input->value(seen, *parameters_, i));
+    }
   }
 }
 
@@ -223,31 +197,27 @@ ViewBearings bearingsOf(const Observation& observation) {
   return bearings;
 }
 
-/// A value for each view.
-void Encoder::fillViews(const Group& group, const ViewBearings& bearings, float* row) const {
-  Ring ring;
-  for (int view = 0; view < kDriveViews; ++view) {
-    ring.set(static_cast<std::size_t>(view), static_cast<float>(group.input->from(bearings, *parameters_, view)));
-  }
-  ring.copyFrom(-bearings.ahead, row);
-}
-
 void Encoder::turn(const float* ahead, const ViewBearings& bearings, float* inputs, int stride) const {
   for (const Group& group : groups_) {
-    if (group.input->turns == InputTurns::kBearing) {
-      fillViews(group, bearings, inputs + group.at[0] * stride);
-    } else {
-      spread(group.input->turns, group.at, ahead, bearings.ahead, inputs, stride);
+    float* const row = inputs + group.at[0] * stride;
+    switch (group.input->turns) {
+      case InputTurns::kNot:
+        std::fill_n(row, kDriveViews, ahead[group.at[0]]);
+        break;
+      case InputTurns::kWithScanner:
+        spread(group.at, ahead, bearings.ahead, kSectorsAView, inputs, stride);
+        break;
+      case InputTurns::kAround:
+        spread(group.at, ahead, bearings.ahead, 1, inputs, stride);
+        break;
+      case InputTurns::kBearing:
+        for (int view = 0; view < kDriveViews; ++view) {
+          row[(view + bearings.ahead) % kDriveViews] =
+              static_cast<float>(group.input->from(bearings, *parameters_, view));
+        }
+        break;
     }
   }
-}
-
-void Encoder::encodeViews(const Observation& observation, const ViewBearings& bearings, float* ahead, float* inputs,
-                          int stride) const {
-  for (const Group& group : groups_) {
-    if (group.input->turns != InputTurns::kBearing) fill(group, observation, ahead);
-  }
-  turn(ahead, bearings, inputs, stride);
 }
 
 }  // namespace lstm_planner

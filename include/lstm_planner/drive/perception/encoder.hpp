@@ -83,11 +83,6 @@ class Encoder {
   /// can learn what to make of it.
   void turn(const float* ahead, const ViewBearings& bearings, float* inputs, int stride) const;
 
-  /// encode() and turn() in one, without what turn() would replace. `bearings`: of the observation. `ahead`: space for
-  /// size() values.
-  void encodeViews(const Observation& observation, const ViewBearings& bearings, float* ahead, float* inputs,
-                   int stride) const;
-
  private:
   /// Inputs that show the same of several sectors or directions, or a single one.
   struct Group {
@@ -95,8 +90,6 @@ class Encoder {
     std::array<std::int16_t, kDriveViews> at;  ///< where each stands in the input, -1 where it does not
   };
   void findGroups();
-  void fill(const Group& group, const Observation& observation, float* input) const;
-  void fillViews(const Group& group, const ViewBearings& bearings, float* row) const;
 
   std::shared_ptr<const EncoderParameters> parameters_;
   std::vector<Group> groups_;
