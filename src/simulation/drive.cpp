@@ -59,8 +59,9 @@ class ControlledRobot : public LoopRobot {
 
   void carryOut(const Situation& situation, const Decision& decision, const NavigationAgent& agent) override {
     if (tick_++ % kPlanEvery == 0) {
-      const Decision& bent = band_.bend(agent, situation.pose, decision, parameters_.rollout.clearance);
-      rollOut(situation, bent, agent.shield(), goal_, agent.parameters(), parameters_.rollout, &plan_);
+      const auto bent = bentAway(agent, situation.pose, decision, parameters_.rollout.clearance);
+      rollOut(situation, bent.value_or(decision), agent.shield(), goal_, agent.parameters(), parameters_.rollout,
+              &plan_);
     }
     const MotionCommand command =
         tracker_.compute(plan_, situation, robot_.measuredTwist(), agent.shield(), kControlPeriod);
@@ -84,7 +85,6 @@ class ControlledRobot : public LoopRobot {
   const DriveListener& listener_;
   DriftCorrection correction_;
   PathTracker tracker_;
-  ElasticBand band_;
   Pose2 goal_;
   std::vector<Pose2> plan_;
   int tick_ = 0;

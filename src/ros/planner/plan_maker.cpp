@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lstm_planner/drive/collision/returns_inside.hpp"
+#include "lstm_planner/drive/motion/elastic_band.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 
 namespace lstm_planner {
@@ -114,8 +115,9 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
   const Pose2 asked = compose(drift_.correction(), global_goal);
   const Decision& decision = driven ? drive(global_goal, is_new) : preview(asked);
   const Pose2 agent_goal = driven ? goal_changes_.goal() : asked;
-  const Decision& bent = band_.bend(agent_, agent_.situation().pose, decision, parameters_.rollout.clearance);
-  rollOut(agent_.situation(), bent, agent_.shield(), agent_goal, parameters_.agent, parameters_.rollout, &plan_);
+  const auto bent = bentAway(agent_, agent_.situation().pose, decision, parameters_.rollout.clearance);
+  rollOut(agent_.situation(), bent.value_or(decision), agent_.shield(), agent_goal, parameters_.agent,
+          parameters_.rollout, &plan_);
   const Pose2 global_from_agent = inverse(drift_.correction());
   for (Pose2& pose : plan_) pose = compose(global_from_agent, pose);
   toMessages(plan_, header(), plan);

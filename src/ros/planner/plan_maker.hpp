@@ -13,7 +13,6 @@
 #include "lstm_planner/drive/decision/goal_changes.hpp"
 #include "lstm_planner/drive/decision/goal_tracker.hpp"
 #include "lstm_planner/drive/decision/navigation_agent.hpp"
-#include "lstm_planner/drive/motion/elastic_band.hpp"
 #include "lstm_planner/drive/perception/correction_watch.hpp"
 #include "lstm_planner/drive/perception/drift_correction.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
@@ -98,7 +97,6 @@ class PlanMaker {
   std::string global_frame_;
   std::string model_problem_;  ///< empty if the model can be used
   NavigationAgent agent_;
-  ElasticBand band_;
 
   MessageQueue messages_;
   tf2_ros::Buffer tf_;
