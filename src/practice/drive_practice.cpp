@@ -33,7 +33,6 @@ class Practice {
         task_(task),
         drive_(drive),
         agent_(agent),
-        choice_(agent.parameters()),
         encoder_(agent.policy().description().encoder),
         random_(seed) {
     episode_.kind = exercise.kind;
@@ -113,7 +112,8 @@ class Practice {
   std::vector<char> allowedActions() const {
     const ActionSet& actions = agent_.policy().description().actions;
     std::vector<char> allowed(static_cast<std::size_t>(actions.size()));
-    choice_.choose(actions, 0.0, 0.0, agent_.shield(), agent_.decision().preferences, std::nullopt, &allowed);
+    chooseAction(agent_.parameters(), actions, 0.0, 0.0, agent_.shield(), agent_.decision().preferences, std::nullopt,
+                 &allowed);
     return allowed;
   }
 
@@ -122,7 +122,6 @@ class Practice {
   const DriveTask& task_;
   const StepSimulator& drive_;
   const NavigationAgent& agent_;
-  ActionChoice choice_;
   Encoder encoder_;
   Random random_;
   PracticeEpisode episode_;

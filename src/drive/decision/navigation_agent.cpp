@@ -7,6 +7,7 @@
 
 #include "drive/decision/step_context.hpp"
 #include "drive/decision/step_leaders.hpp"
+#include "lstm_planner/drive/decision/action_choice.hpp"
 #include "lstm_planner/drive/decision/arrival.hpp"
 #include "lstm_planner/drive/decision/observer.hpp"
 #include "lstm_planner/drive/perception/reach.hpp"
@@ -54,7 +55,6 @@ NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& para
       chosen_(parameters.leader),
       shield_(footprintOf(parameters.shield), parameters.shield.tight_clearance, parameters.shield.reach),
       out_of_view_(outOfViewOf(shield_)),
-      action_choice_(parameters),
       bug_algorithm_(parameters.escape, parameters.shield),
       replanner_(parameters.memory.enabled ? Boxed<Replanner>(Replanner(parameters.memory, parameters.shield))
                                            : Boxed<Replanner>()),
@@ -369,7 +369,7 @@ void NavigationAgent::decideAsLed(const StepContext& step, Answer answer) {
   if (decision_.leader == Leader::kRoute) {
     leadAlongPath(step, answer);
   } else {
-    leadByPreferences(step, answer, action_choice_);
+    leadByPreferences(step, answer);
   }
 }
 

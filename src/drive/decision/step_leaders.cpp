@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "lstm_planner/drive/decision/action_choice.hpp"
+
 namespace lstm_planner {
 
 namespace {
@@ -10,10 +12,10 @@ namespace {
 /// Places ahead that are taken as blocked, one after the other, before the robot looks around.
 constexpr int kBlocks = 3;
 
-std::optional<ActionChoice::Action> chosenAction(const StepContext& step, const ActionChoice& choice) {
+std::optional<ChosenAction> chosenAction(const StepContext& step) {
   Decision& decision = *step.decision;
-  const auto chosen = choice.choose(step.actions, step.start_yaw, step.situation.pose.yaw, step.shield,
-                                    decision.preferences, step.imposed, &decision.allowed);
+  const auto chosen = chooseAction(step.parameters, step.actions, step.start_yaw, step.situation.pose.yaw, step.shield,
+                                   decision.preferences, step.imposed, &decision.allowed);
   const bool is_preferred = chosen && (decision.preferred < 0 || chosen->index == decision.preferred);
   if (!is_preferred) decision.overruled = Overruled::kByShield;
   return chosen;
@@ -27,7 +29,7 @@ int actionAlongPath(const StepContext& step) {
 }
 
 /// How much longer the path becomes by the action, m; the path behind it is written to the decision.
-double regretOf(const StepContext& step, const ActionChoice::Action& action) {
+double regretOf(const StepContext& step, const ChosenAction& action) {
   const Pose2& pose = step.situation.pose;
   const Point2 next = pointAlong(pose, step.start_yaw + step.actions.angle(action.index), action.free);
   return step.replanner->regretOf({pose.x, pose.y}, next, &step.decision->path_on);
@@ -35,9 +37,8 @@ double regretOf(const StepContext& step, const ActionChoice::Action& action) {
 
 }  // namespace
 
-void leadByPreferences(const StepContext& step, Replanner::Answer answer, const ActionChoice& choice) {
-  const std::optional<ActionChoice::Action> chosen =
-      answer == Replanner::Answer::kRoute ? chosenAction(step, choice) : std::nullopt;
+void leadByPreferences(const StepContext& step, Replanner::Answer answer) {
+  const std::optional<ChosenAction> chosen = answer == Replanner::Answer::kRoute ? chosenAction(step) : std::nullopt;
   if (!step.replanner) {
     chosen ? step.takeAction(chosen->index, chosen->free) : step.lookAround();
     return;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "drive/decision/step_context.hpp"
-#include "lstm_planner/drive/decision/action_choice.hpp"
 #include "lstm_planner/drive/decision/bug_algorithm.hpp"
 
 namespace lstm_planner {
@@ -12,7 +11,7 @@ namespace lstm_planner {
 /// Leads by preferences (Decision::preferences), of the network or for the goal's bearing: the preferred one of the
 /// steering angles that the shield allows, as long as its detours stay within the bound. Otherwise the path through
 /// what is remembered decides the step. Where nothing is remembered, nothing limits the detours.
-void leadByPreferences(const StepContext& step, Replanner::Answer answer, const ActionChoice& choice);
+void leadByPreferences(const StepContext& step, Replanner::Answer answer);
 
 /// Leads along the path through what is remembered, which there must be.
 void leadAlongPath(const StepContext& step, Replanner::Answer answer);

@@ -10,33 +10,19 @@
 
 namespace lstm_planner {
 
-/// Chooses one of the steering angles: the preferred one of those that the shield allows with the wanted clearance. If
-/// it allows none of them, of those that it allows with the tight clearance.
-class ActionChoice {
- public:
-  /// One of the steering angles.
-  struct Action {
-    int index = 0;
-    double free = 0.0;  ///< m that the shield sees free that way, no more than a step
-  };
-
-  explicit ActionChoice(const AgentParameters& parameters)
-      : shield_parameters_(parameters.shield),
-        shield_enabled_(parameters.shield_enabled),
-        step_length_(parameters.step.length) {}
-
-  /// Chooses among `actions`, which are relative to the heading `step_yaw` (rad), for a robot whose heading is `yaw`
-  /// now and whose surroundings `shield` shows. `imposed` is taken in place of the preferred one if it is allowed.
-  /// Writes to `allowed`, one an action, what the shield says. Nothing where it allows none.
-  std::optional<Action> choose(const ActionSet& actions, double step_yaw, double yaw, const Shield& shield,
-                               const std::vector<float>& preferences, std::optional<int> imposed,
-                               std::vector<char>* allowed) const;
-
- private:
-  ShieldParameters shield_parameters_;
-  bool shield_enabled_;
-  double step_length_;  ///< m
+/// One of the steering angles.
+struct ChosenAction {
+  int index = 0;
+  double free = 0.0;  ///< m that the shield sees free that way, no more than a step
 };
+
+/// The preferred one of the steering angles that the shield allows with the wanted clearance. If it allows none of
+/// them, of those that it allows with the tight clearance. `actions` are relative to the heading `step_yaw` (rad) of a
+/// robot whose heading is `yaw` now and whose surroundings `shield` shows. `imposed` is taken in place of the preferred
+/// one if it is allowed. Writes to `allowed`, one an action, what the shield says. None where it allows none.
+std::optional<ChosenAction> chooseAction(const AgentParameters& parameters, const ActionSet& actions, double step_yaw,
+                                         double yaw, const Shield& shield, const std::vector<float>& preferences,
+                                         std::optional<int> imposed, std::vector<char>* allowed);
 
 /// One preference for each action: the nearer it is to `bearing` (rad, relative to the heading), the higher.
 void preferBearing(const ActionSet& actions, double bearing, std::vector<float>* preferences);

@@ -10,7 +10,6 @@
 #include "lstm_planner/common/detour_bound.hpp"
 #include "lstm_planner/common/progress_watch.hpp"
 #include "lstm_planner/drive/collision/shield.hpp"
-#include "lstm_planner/drive/decision/action_choice.hpp"
 #include "lstm_planner/drive/decision/agent_parameters.hpp"
 #include "lstm_planner/drive/decision/arrival.hpp"
 #include "lstm_planner/drive/decision/bug_algorithm.hpp"
@@ -157,7 +156,6 @@ class NavigationAgent {
   Decision decision_;
   Shield shield_;
   std::optional<OutOfView> out_of_view_;  ///< none of a circle: what it turns away from it does not hit
-  ActionChoice action_choice_;
   BugAlgorithm bug_algorithm_;
   Boxed<Replanner> replanner_;  ///< none where nothing is to be remembered
   DetourBound bound_;

@@ -12,8 +12,8 @@ class ActionChoiceTest : public ::testing::Test {
  protected:
   ActionChoiceTest() : shield_(Footprint(0.17425), 0.03, 6.0) { shield_.show({}); }
 
-  std::optional<ActionChoice::Action> choose(std::optional<int> imposed = std::nullopt) {
-    return ActionChoice(parameters_).choose(actions_, 0.0, 0.0, shield_, preferences_, imposed, &allowed_);
+  std::optional<ChosenAction> choose(std::optional<int> imposed = std::nullopt) {
+    return chooseAction(parameters_, actions_, 0.0, 0.0, shield_, preferences_, imposed, &allowed_);
   }
 
   AgentParameters parameters_;
