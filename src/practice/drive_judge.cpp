@@ -24,7 +24,7 @@ std::vector<JudgedDrive> judgeEach(const DrivePolicy& policy, const AgentParamet
         StepSimulator drive(*exercise.world, task, conditions, random());
         JudgedDrive judged;
         judged.kind = exercise.kind;
-        judged.arrived = drive.run(max_steps, &agent) == ClosedLoop::End::kArrived;
+        judged.arrived = drive.run(max_steps, &agent) == LoopEnd::kArrived;
         if (judged.arrived) judged.efficiency = task.shortest / std::max(task.shortest, drive.pathLength());
         by_world[static_cast<std::size_t>(world)].push_back(judged);
       }

@@ -139,8 +139,8 @@ PracticeEpisode practiseAlone(const DriveActorCriticParameters& parameters, cons
   Practice practice(parameters, exercise, task, drive, agent, random());
   agent.setStepListener(
       [&practice](const Situation&, const Observation& observation) { return practice.step(observation); });
-  const ClosedLoop::End end = drive.run(parameters.max_steps, &agent);
-  return practice.finish(end == ClosedLoop::End::kArrived);
+  const LoopEnd end = drive.run(parameters.max_steps, &agent);
+  return practice.finish(end == LoopEnd::kArrived);
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ LabelledEpisode driveEpisode(const DriveExercise& exercise, const DriveTask& tas
         (driver == Driver::kRescuedLearner && rescue.wanted(exercise.teacher->distanceToGo({pose.x, pose.y})));
     return known && teacher_drives ? std::optional<int>(label) : std::nullopt;
   });
-  episode.arrived = drive.run(parameters.max_steps, &agent) == ClosedLoop::End::kArrived;
+  episode.arrived = drive.run(parameters.max_steps, &agent) == LoopEnd::kArrived;
   if (episode.arrived) episode.efficiency = task.shortest / std::max(task.shortest, drive.pathLength());
   return episode;
 }

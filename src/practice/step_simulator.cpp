@@ -72,11 +72,11 @@ StepSimulator::StepSimulator(const World& world, const DriveTask& task, const Pr
       scanner_(conditions.scanner, ~seed),
       pose_(task.start) {}
 
-ClosedLoop::End StepSimulator::run(int max_steps, NavigationAgent* agent) {
+LoopEnd StepSimulator::run(int max_steps, NavigationAgent* agent) {
   int steps = 0;
   const auto goes_on = [&steps, max_steps] { return steps++ < max_steps; };
   const auto note = [](const Decision&) {};
-  return ClosedLoop(this, agent).run(toLocalFrame(task_.start, task_.goal), goes_on, note);
+  return runClosedLoop(toLocalFrame(task_.start, task_.goal), this, agent, goes_on, note);
 }
 
 bool StepSimulator::sense(double range_cap, Situation* situation) {

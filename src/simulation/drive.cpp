@@ -109,9 +109,9 @@ class Run {
 
   DriveResult run() {
     const Pose2& goal = controlled_.goal();
-    ClosedLoop loop(&controlled_, &agent_);
-    const ClosedLoop::End end = loop.run(
-        {goal.x, goal.y}, [this] { return goesOn(); }, [this](const Decision& decision) { note(decision); });
+    const LoopEnd end = runClosedLoop(
+        {goal.x, goal.y}, &controlled_, &agent_, [this] { return goesOn(); },
+        [this](const Decision& decision) { note(decision); });
     result_.end = judge(end);
     result_.contacts = robot_.contacts();
     result_.bumped = robot_.bumped();
@@ -139,13 +139,13 @@ class Run {
            !controlled_.hasGivenUp();
   }
 
-  DriveResult::End judge(ClosedLoop::End end) const {
+  DriveResult::End judge(LoopEnd end) const {
     switch (end) {
-      case ClosedLoop::End::kNoPath:
+      case LoopEnd::kNoPath:
         return DriveResult::End::kNoPath;
-      case ClosedLoop::End::kArrived:
+      case LoopEnd::kArrived:
         return isAtGoal(allowedRadius()) ? DriveResult::End::kReached : DriveResult::End::kElsewhere;
-      case ClosedLoop::End::kStopped:
+      case LoopEnd::kStopped:
         break;
     }
     if (isEndedByTouch()) return DriveResult::End::kTouched;

@@ -37,7 +37,7 @@ AgentParameters practiceAgent(const PolicyDescription& policy);
 /// length around the policy's.
 NavigationAgent drawRobot(AgentParameters agent, PolicyDescription policy, const LayerStack& layers, Random& random);
 
-/// Simulates a drive for practice, in the ClosedLoop in which drive() judges what was learned: a scan and a decision a
+/// Simulates a drive for practice, in the closed loop in which drive() judges what was learned: a scan and a decision a
 /// step, and in between the robot turns and drives as the controller would, but without controller, plan and wheels.
 class StepSimulator : private LoopRobot {
  public:
@@ -45,7 +45,7 @@ class StepSimulator : private LoopRobot {
   StepSimulator(const World& world, const DriveTask& task, const PracticeConditions& conditions, std::uint64_t seed);
 
   /// Gives the agent the goal, and drives until it has arrived by its odometry, gives up, or has made so many steps.
-  ClosedLoop::End run(int max_steps, NavigationAgent* agent);
+  LoopEnd run(int max_steps, NavigationAgent* agent);
 
   const Pose2& truePose() const { return pose_; }  ///< world frame; known to teachers only
   int contacts() const { return contacts_.contacts(); }

@@ -4,21 +4,22 @@
 
 namespace lstm_planner {
 
-ClosedLoop::End ClosedLoop::run(const Point2& goal, const std::function<bool()>& goes_on,
-                                const std::function<void(const Decision&)>& note) {
-  const double range_cap = agent_.policy().description().encoder.range_cap;
-  agent_.setGoal(goal);
-  agent_.restart();  // what it remembers of another drive is in another odometry frame
+LoopEnd runClosedLoop(const Point2& goal, LoopRobot* robot, NavigationAgent* agent,
+                      const std::function<bool()>& goes_on, const std::function<void(const Decision&)>& note) {
+  const double range_cap = agent->policy().description().encoder.range_cap;
+  Situation situation;
+  agent->setGoal(goal);
+  agent->restart();  // what it remembers of another drive is in another odometry frame
   while (goes_on()) {
-    if (!robot_.sense(range_cap, &situation_)) continue;
-    agent_.perceive(situation_);
-    const Decision& decision = agent_.decide();
-    if (decision.choice == Decision::Move::kNoPath) return End::kNoPath;
-    if (robot_.hasArrived(situation_, endOfPlan(decision, goal, agent_.parameters()))) return End::kArrived;
+    if (!robot->sense(range_cap, &situation)) continue;
+    agent->perceive(situation);
+    const Decision& decision = agent->decide();
+    if (decision.choice == Decision::Move::kNoPath) return LoopEnd::kNoPath;
+    if (robot->hasArrived(situation, endOfPlan(decision, goal, agent->parameters()))) return LoopEnd::kArrived;
     note(decision);
-    robot_.carryOut(situation_, decision, agent_);
+    robot->carryOut(situation, decision, *agent);
   }
-  return End::kStopped;
+  return LoopEnd::kStopped;
 }
 
 }  // namespace lstm_planner

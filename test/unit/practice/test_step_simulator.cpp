@@ -10,13 +10,13 @@ namespace {
 
 const CircleWorld kEmptyField({});
 
-ClosedLoop::End driveStraight(const World& world, const PracticeConditions& conditions, double distance) {
+LoopEnd driveStraight(const World& world, const PracticeConditions& conditions, double distance) {
   const DriveTask task{{1.0, 2.0, 0.5}, pointAlong(Point2{1.0, 2.0}, 0.5, distance), distance};
   NavigationAgent agent(test::straightAheadPolicy(), practiceAgent(test::straightAheadPolicy().description()));
   StepSimulator drive(world, task, conditions, 1);
-  const ClosedLoop::End end = drive.run(300, &agent);
+  const LoopEnd end = drive.run(300, &agent);
   EXPECT_EQ(drive.contacts(), 0);
-  if (end == ClosedLoop::End::kArrived) {
+  if (end == LoopEnd::kArrived) {
     EXPECT_LE(distanceBetween(drive.truePose(), task.goal), 0.2 + 1e-9) << "the controller's tolerance";
     EXPECT_NEAR(drive.pathLength(), distance, 0.25);
   }
@@ -24,12 +24,12 @@ ClosedLoop::End driveStraight(const World& world, const PracticeConditions& cond
 }
 
 TEST(StepSimulator, ArrivesStraightAheadInTheOpen) {
-  EXPECT_EQ(driveStraight(kEmptyField, usualConditions(), 5.0), ClosedLoop::End::kArrived);
+  EXPECT_EQ(driveStraight(kEmptyField, usualConditions(), 5.0), LoopEnd::kArrived);
 }
 
 TEST(StepSimulator, StopsInFrontOfAnObstacle) {
   const CircleWorld pole({{pointAlong(Point2{1.0, 2.0}, 0.5, 3.0), 1.0}});
-  EXPECT_EQ(driveStraight(pole, usualConditions(), 6.0), ClosedLoop::End::kStopped);
+  EXPECT_EQ(driveStraight(pole, usualConditions(), 6.0), LoopEnd::kStopped);
 }
 
 TEST(StepSimulator, LetsTheOdometryErr) {
@@ -38,7 +38,7 @@ TEST(StepSimulator, LetsTheOdometryErr) {
   const DriveTask task{{0.0, 0.0, 0.0}, {10.0, 0.0}, 10.0};
   NavigationAgent agent(test::straightAheadPolicy(), practiceAgent(test::straightAheadPolicy().description()));
   StepSimulator drive(kEmptyField, task, conditions, 1);
-  ASSERT_EQ(drive.run(300, &agent), ClosedLoop::End::kArrived) << "as far as the odometry can tell";
+  ASSERT_EQ(drive.run(300, &agent), LoopEnd::kArrived) << "as far as the odometry can tell";
   // Arrived at 9.8 to 10 m by an odometry that counts 5 % too much.
   EXPECT_NEAR(drive.truePose().x, 9.9 / 1.05, 0.2);
 }

@@ -23,29 +23,20 @@ class LoopRobot {
   virtual bool hasArrived(const Situation& situation, const Point2& end) const = 0;
 };
 
+/// Why a drive ended.
+enum class LoopEnd {
+  kArrived,  ///< the robot says so
+  kNoPath,   ///< the agent says that there is none
+  kStopped   ///< `goes_on` said so
+};
+
 /// Sense, decide, drive, sense again: the loop in which networks practise and in which they are judged. What happens
 /// between two looks depends on the robot: a simulated Create 2 obeys the controller's commands (drive()); a robot that
 /// practises (StepSimulator) moves directly to where the controller would lead it, which is many times as fast.
-class ClosedLoop {
- public:
-  /// Why a drive ended.
-  enum class End {
-    kArrived,  ///< the robot says so
-    kNoPath,   ///< the agent says that there is none
-    kStopped   ///< `goes_on` said so
-  };
-
-  /// Both must outlive the loop.
-  ClosedLoop(LoopRobot* robot, NavigationAgent* agent) : robot_(*robot), agent_(*agent) {}
-
-  /// Gives the agent the goal (odometry frame), which forgets all that it knew. Asks `goes_on` before each look and
-  /// calls `note` with each decision before it is carried out.
-  End run(const Point2& goal, const std::function<bool()>& goes_on, const std::function<void(const Decision&)>& note);
-
- private:
-  LoopRobot& robot_;
-  NavigationAgent& agent_;
-  Situation situation_;
-};
+///
+/// Gives the agent the goal (odometry frame), which forgets all that it knew. Asks `goes_on` before each look and calls
+/// `note` with each decision before it is carried out.
+LoopEnd runClosedLoop(const Point2& goal, LoopRobot* robot, NavigationAgent* agent,
+                      const std::function<bool()>& goes_on, const std::function<void(const Decision&)>& note);
 
 }  // namespace lstm_planner
