@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace lstm_planner {
 namespace {
@@ -27,16 +26,16 @@ Crowd::Crowd(const World& surroundings, const std::vector<Point2>& places, const
       if (++tries > kWalkerTries) throw std::invalid_argument("there is no place for a walker away from the robot");
       body.center = drawPlace(body.radius);
     } while (distanceBetween(body.center, robot) < distance);
-    bodies_.push_back({body, false});
+    circles().push_back(body);
+    is_beside_.push_back(false);
     walkers_.push_back({speed, drawPlace(body.radius), 0.0});
   }
-  show();
 }
 
 Point2 Crowd::drawPlace(double radius) {
   for (int i = 0; i < kWalkerTries && !places_.empty(); ++i) {
     const Point2& place = places_[uniformIndex(random_, places_.size())];
-    if (!surroundings().touches(place, radius)) return place;
+    if (!surroundings()->touches(place, radius)) return place;
   }
   throw std::invalid_argument("there is no place for a walker of radius " + std::to_string(radius) + " m");
 }
@@ -44,33 +43,35 @@ Point2 Crowd::drawPlace(double radius) {
 std::vector<Circle> Crowd::advance(double seconds, const Footprint& robot, const Pose2& pose) {
   std::vector<Circle> meetings;
   for (std::size_t i = 0; i < walkers_.size(); ++i) {
-    if (step(seconds, robot, pose, &walkers_[i], &bodies_[i])) meetings.push_back(bodies_[i].circle);
+    if (step(seconds, robot, pose, i)) meetings.push_back(circles()[i]);
   }
-  show();
   return meetings;
 }
 
-bool Crowd::step(double seconds, const Footprint& robot, const Pose2& pose, Walker* walker, Body* body) {
-  Circle& circle = body->circle;
+bool Crowd::step(double seconds, const Footprint& robot, const Pose2& pose, std::size_t number) {
+  Walker& walker = walkers_[number];
+  Circle& circle = circles()[number];
   const double air = airBetween(robot, pose, circle);
-  if (air > kMeetingEnds) body->beside_robot = false;
-  if (walker->standing > 0.0) {
-    walker->standing -= seconds;
-    if (walker->standing <= 0.0) walker->destination = drawPlace(circle.radius);
+  if (air > kMeetingEnds) is_beside_[number] = false;
+  if (walker.standing > 0.0) {
+    walker.standing -= seconds;
+    if (walker.standing <= 0.0) walker.destination = drawPlace(circle.radius);
     return false;
   }
-  const double left = distanceBetween(circle.center, walker->destination);
-  const double path = std::min(left, walker->speed * seconds);
-  const Point2 next = pointAlong(circle.center, directionTo(circle.center, walker->destination), path);
+  const double left = distanceBetween(circle.center, walker.destination);
+  const double path = std::min(left, walker.speed * seconds);
+  const Point2 next = pointAlong(circle.center, directionTo(circle.center, walker.destination), path);
   // One that the robot has pushed against may still walk away from it.
   const double next_air = airBetween(robot, pose, {next, circle.radius});
   if (next_air < 0.0 && next_air < air) {
-    walker->standing = uniform(random_, parameters_.shortest_stand, parameters_.longest_stand);
-    return !std::exchange(body->beside_robot, true);
+    walker.standing = uniform(random_, parameters_.shortest_stand, parameters_.longest_stand);
+    const bool is_new = !is_beside_[number];
+    is_beside_[number] = true;
+    return is_new;
   }
-  const bool walled = surroundings().touches(next, circle.radius);
+  const bool walled = surroundings()->touches(next, circle.radius);
   if (!walled) circle.center = next;
-  if (walled || path >= left) walker->destination = drawPlace(circle.radius);
+  if (walled || path >= left) walker.destination = drawPlace(circle.radius);
   return false;
 }
 

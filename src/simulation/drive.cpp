@@ -104,7 +104,7 @@ class Run {
         parameters_(parameters),
         agent_(*agent) {
     result_.shortest = task.shortest;
-    if (traffic != nullptr) result_.walker_traces.resize(traffic->bodies().size());
+    if (traffic != nullptr) result_.walker_traces.resize(traffic->circles().size());
   }
 
   DriveResult run() {
@@ -176,8 +176,8 @@ class Run {
     result_.led.push_back(decision.choice);
     result_.on_path.push_back(decision.on_route);
     if (traffic_ == nullptr) return;
-    const std::vector<Traffic::Body>& bodies = traffic_->bodies();
-    for (std::size_t i = 0; i < bodies.size(); ++i) result_.walker_traces[i].push_back(bodies[i].circle.center);
+    const std::vector<Circle>& bodies = traffic_->circles();
+    for (std::size_t i = 0; i < bodies.size(); ++i) result_.walker_traces[i].push_back(bodies[i].center);
   }
 
   SimulatedRobot& robot_;

@@ -77,9 +77,9 @@ MovingCylinders::MovingCylinders(const World& surroundings, const MovingCylinder
     : Traffic(surroundings), parameters_(parameters), random_(seed) {
   for (int i = 0; i < parameters_.cylinders; ++i) {
     routes_.push_back(drawRoute(robot));
-    bodies_.push_back({{routes_.back().corners.front(), kCylinderRadius}, false});
+    circles().push_back({routes_.back().corners.front(), kCylinderRadius});
+    is_beside_.push_back(false);
   }
-  show();
 }
 
 MovingCylinders::Route MovingCylinders::drawRoute(const Point2& robot) {
@@ -157,13 +157,12 @@ Point2 MovingCylinders::advance(double seconds, Route* route) {
 std::vector<Circle> MovingCylinders::advance(double seconds, const Footprint& robot, const Pose2& pose) {
   std::vector<Circle> meetings;
   for (std::size_t i = 0; i < routes_.size(); ++i) {
-    Body& body = bodies_[i];
-    body.circle.center = advance(seconds, &routes_[i]);
-    const bool meets = airBetween(robot, pose, body.circle) < 0.0;
-    if (meets && !body.beside_robot) meetings.push_back(body.circle);
-    body.beside_robot = meets;
+    Circle& body = circles()[i];
+    body.center = advance(seconds, &routes_[i]);
+    const bool meets = airBetween(robot, pose, body) < 0.0;
+    if (meets && !is_beside_[i]) meetings.push_back(body);
+    is_beside_[i] = meets;
   }
-  show();
   return meetings;
 }
 

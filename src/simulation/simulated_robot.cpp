@@ -52,13 +52,14 @@ void SimulatedRobot::obeyCommands() {
 
 /// Whether the robot at `pose` touches nobody but walkers that have run into it (counted then) and lets them pass.
 bool SimulatedRobot::isBrushedBy(const Pose2& pose, const Point2& velocity) const {
-  if (traffic_ == nullptr || traffic_->surroundings().touches(footprint_, pose)) return false;
-  const Point2 position{pose.x, pose.y};
-  const std::vector<Traffic::Body>& bodies = traffic_->bodies();
-  return std::all_of(bodies.begin(), bodies.end(), [&](const Traffic::Body& body) {
-    const bool touches = airBetween(footprint_, pose, body.circle) < 0.0;
-    return !touches || (body.beside_robot && approachSpeed(position, velocity, body.circle.center) <= kStandingSpeed);
-  });
+  if (traffic_ == nullptr || traffic_->surroundings()->touches(footprint_, pose)) return false;
+  const std::vector<Circle>& bodies = traffic_->circles();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const bool touches = airBetween(footprint_, pose, bodies[i]) < 0.0;
+    const double approach = approachSpeed({pose.x, pose.y}, velocity, bodies[i].center);
+    if (touches && !(traffic_->isBesideRobot(i) && approach <= kStandingSpeed)) return false;
+  }
+  return true;
 }
 
 /// Moves unless something is in the way; returns the velocity that the robot had or wanted, m/s in the world.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -26,7 +27,7 @@ struct CrowdParameters {
 /// next step would touch it: then they stand for a while and go elsewhere. Deterministic for a seed.
 class Crowd : public Traffic {
  public:
-  /// What one of the people is about; its body is the one of the same number.
+  /// What one of the people is about; its body is the circle of the same number.
   struct Walker {
     double speed = 0.0;  ///< m/s
     Point2 destination;
@@ -46,7 +47,7 @@ class Crowd : public Traffic {
  private:
   Point2 drawPlace(double radius);
   /// Lets one of them walk. Whether it has run into the robot, in a new meeting.
-  bool step(double seconds, const Footprint& robot, const Pose2& pose, Walker* walker, Body* body);
+  bool step(double seconds, const Footprint& robot, const Pose2& pose, std::size_t number);
 
   const std::vector<Point2>& places_;
   CrowdParameters parameters_;

@@ -1,20 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "lstm_planner/simulation/world.hpp"
 
 namespace lstm_planner {
 
-/// A world in which round bodies move by themselves as time passes.
+/// A world in which round bodies move by themselves as time passes: circles(), always in the same order.
 class Traffic : public CircleWorld {
  public:
-  /// One of the things that move.
-  struct Body {
-    Circle circle;
-    bool beside_robot = false;  ///< it has met the robot and not left it since
-  };
-
   /// `surroundings`, where the bodies move, must outlive the object.
   explicit Traffic(const World& surroundings) : CircleWorld({}, &surroundings) {}
 
@@ -22,17 +17,11 @@ class Traffic : public CircleWorld {
   /// the robot, which is at `pose`, each once a meeting.
   virtual std::vector<Circle> advance(double seconds, const Footprint& robot, const Pose2& pose) = 0;
 
-  const std::vector<Body>& bodies() const { return bodies_; }  ///< always in the same order
-  const World& surroundings() const { return *surroundings_; }
+  /// Whether that body has met the robot and not left it since.
+  bool isBesideRobot(std::size_t body) const { return is_beside_[body]; }
 
  protected:
-  /// The bodies have moved: they are seen and touched where they are now.
-  void show() {
-    circles().clear();
-    for (const Body& body : bodies_) circles().push_back(body.circle);
-  }
-
-  std::vector<Body> bodies_;
+  std::vector<bool> is_beside_;  ///< the robot; a body each
 };
 
 }  // namespace lstm_planner

@@ -78,15 +78,16 @@ class CircleWorld : public World {
   using World::touches;
   bool touches(const Point2& center, double radius) const override;
 
+  const std::vector<Circle>& circles() const { return circles_; }
   /// For those that move; they stay finite.
   std::vector<Circle>& circles() { return circles_; }
+  const World* surroundings() const { return surroundings_; }  ///< nullptr: none
 
  protected:
   bool touchesPolygon(const Footprint& polygon, const Pose2& pose) const override;
 
-  const World* surroundings_;  ///< nullptr: none
-
  private:
+  const World* surroundings_;
   std::vector<Circle> circles_;
 };
 

@@ -29,11 +29,11 @@ using CrowdTest = InAHall;
 TEST_F(CrowdTest, BeginsAwayFromTheRobotAndOffTheWalls) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Crowd people = crowd(seed);
-    for (const Traffic::Body& body : people.bodies()) {
-      EXPECT_GE(distanceBetween(body.circle.center, Point2{5.0, 5.0}), 1.0 + body.circle.radius);
-      EXPECT_FALSE(hall.touches(body.circle.center, body.circle.radius));
-      EXPECT_GE(body.circle.radius, 0.2);
-      EXPECT_LE(body.circle.radius, 0.3);
+    for (const Circle& body : people.circles()) {
+      EXPECT_GE(distanceBetween(body.center, Point2{5.0, 5.0}), 1.0 + body.radius);
+      EXPECT_FALSE(hall.touches(body.center, body.radius));
+      EXPECT_GE(body.radius, 0.2);
+      EXPECT_LE(body.radius, 0.3);
     }
     for (const Crowd::Walker& walker : people.walkers()) {
       EXPECT_GE(walker.speed, 0.3);
@@ -46,11 +46,11 @@ TEST_F(CrowdTest, WalksAtItsSpeedAndNeverThroughAWall) {
   Crowd people = crowd(3);
   std::vector<double> walked(people.walkers().size(), 0.0);
   for (int i = 0; i < 3000; ++i) {
-    const std::vector<Traffic::Body> before = people.bodies();
+    const std::vector<Circle> before = people.circles();
     people.advance(kPeriod, Footprint(0.01), kNowhere);
     for (std::size_t k = 0; k < before.size(); ++k) {
-      const Circle& body = people.bodies()[k].circle;
-      const double path = distanceBetween(before[k].circle.center, body.center);
+      const Circle& body = people.circles()[k];
+      const double path = distanceBetween(before[k].center, body.center);
       ASSERT_LE(path, people.walkers()[k].speed * kPeriod + 1e-12);
       ASSERT_FALSE(hall.touches(body.center, body.radius));
       walked[k] += path;
@@ -65,7 +65,7 @@ TEST_F(CrowdTest, WalksAtItsSpeedAndNeverThroughAWall) {
 TEST_F(CrowdTest, StandsBeforeTheRobotAndThenGoesElsewhere) {
   Crowd people = crowd(5, 1);
   // In the walker's way, half a metre of air between them.
-  const Circle body = people.bodies()[0].circle;
+  const Circle body = people.circles()[0];
   const Point2 destination = people.walkers()[0].destination;
   const double distance = body.radius + 0.17425 + 0.5;
   const Point2 ahead = pointAlong(body.center, directionTo(body.center, destination), distance);
@@ -76,19 +76,18 @@ TEST_F(CrowdTest, StandsBeforeTheRobotAndThenGoesElsewhere) {
   int meetings = 0;
   for (double time = 0.0; time < 60.0; time += kPeriod) {
     meetings += static_cast<int>(people.advance(kPeriod, robot, pose).size());
-    const Traffic::Body& now = people.bodies()[0];
-    ASSERT_GE(airBetween(robot, pose, now.circle), 0.0);
+    ASSERT_GE(airBetween(robot, pose, people.circles()[0]), 0.0);
     stood += people.walkers()[0].standing > 0.0 ? kPeriod : 0.0;
-    if (meetings == 1 && !now.beside_robot) break;
+    if (meetings == 1 && !people.isBesideRobot(0)) break;
   }
   EXPECT_EQ(meetings, 1);
   EXPECT_GE(stood, 0.5 - kPeriod);
-  EXPECT_FALSE(people.bodies()[0].beside_robot) << "it has gone on";
+  EXPECT_FALSE(people.isBesideRobot(0)) << "it has gone on";
 }
 
 TEST_F(CrowdTest, IsSeenAndFelt) {
   Crowd people = crowd(7, 1);
-  const Circle body = people.bodies()[0].circle;
+  const Circle body = people.circles()[0];
   const double direction = directionTo(Point2{5.0, 5.0}, body.center);
   std::vector<double> ranges(1);
   people.castRays({5.0, 5.0}, direction, 0.01, 30.0, &ranges);
@@ -106,8 +105,8 @@ TEST_F(CrowdTest, IsTheSameForTheSameSeed) {
     a.advance(kPeriod, Footprint(0.01), kNowhere);
     b.advance(kPeriod, Footprint(0.01), kNowhere);
   }
-  EXPECT_EQ(a.bodies()[4].circle.center.x, b.bodies()[4].circle.center.x);
-  EXPECT_NE(a.bodies()[4].circle.center.x, crowd(10).bodies()[4].circle.center.x);
+  EXPECT_EQ(a.circles()[4].center.x, b.circles()[4].center.x);
+  EXPECT_NE(a.circles()[4].center.x, crowd(10).circles()[4].center.x);
 }
 
 TEST_F(CrowdTest, RefusesWorldsWithoutPlace) {

@@ -26,8 +26,8 @@ TEST_F(MovingCylindersTest, StartAtLeastThreeMetresFromTheRobot) {
   MovingCylindersParameters many;
   many.cylinders = 50;
   const MovingCylinders moving = cylinders(many, 1);
-  for (const Traffic::Body& body : moving.bodies()) {
-    EXPECT_GE(distanceBetween(body.circle.center, kRobot), 3.0 + body.circle.radius);
+  for (const Circle& body : moving.circles()) {
+    EXPECT_GE(distanceBetween(body.center, kRobot), 3.0 + body.radius);
   }
 }
 
@@ -39,13 +39,13 @@ TEST_F(MovingCylindersTest, StayInTheSquareAndWithinTheirSpeeds) {
   long steps = 0;
   long restarts = 0;
   for (double time = 0.0; time < 60.0; time += kPeriod) {
-    const std::vector<Traffic::Body> before = moving.bodies();
+    const std::vector<Circle> before = moving.circles();
     moving.advance(kPeriod, robot_, kFarAway);
     for (std::size_t i = 0; i < before.size(); ++i) {
-      const Point2 now = moving.bodies()[i].circle.center;
+      const Point2 now = moving.circles()[i].center;
       EXPECT_LE(std::abs(now.x), kCylindersArea + 1e-9);
       EXPECT_LE(std::abs(now.y), kCylindersArea + 1e-9);
-      const double speed = distanceBetween(before[i].circle.center, now) / kPeriod;
+      const double speed = distanceBetween(before[i].center, now) / kPeriod;
       ++steps;
       if (speed > parameters.fastest + 1e-9) ++restarts;
       // A bend is cut by at most its chord.
@@ -60,14 +60,13 @@ TEST_F(MovingCylindersTest, OfFirstOrderMoveAlongStraightLines) {
   parameters.cylinders = 5;
   parameters.order = 1;
   MovingCylinders moving = cylinders(parameters, 3);
-  const std::vector<Traffic::Body> start = moving.bodies();
+  const std::vector<Circle> start = moving.circles();
   moving.advance(0.1, robot_, kFarAway);
-  const std::vector<Traffic::Body> then = moving.bodies();
+  const std::vector<Circle> then = moving.circles();
   for (int i = 0; i < 20; ++i) moving.advance(0.1, robot_, kFarAway);
   for (std::size_t i = 0; i < start.size(); ++i) {
-    const Point2 now = moving.bodies()[i].circle.center;
-    EXPECT_NEAR(directionTo(start[i].circle.center, then[i].circle.center), directionTo(start[i].circle.center, now),
-                1e-9);
+    const Point2 now = moving.circles()[i].center;
+    EXPECT_NEAR(directionTo(start[i].center, then[i].center), directionTo(start[i].center, now), 1e-9);
   }
 }
 
@@ -76,9 +75,9 @@ TEST_F(MovingCylindersTest, MeetARobotOnceEachTime) {
   parameters.cylinders = 1;
   parameters.order = 1;
   MovingCylinders moving = cylinders(parameters, 4);
-  const Point2 start = moving.bodies()[0].circle.center;
+  const Point2 start = moving.circles()[0].center;
   moving.advance(0.1, robot_, kFarAway);
-  const double direction = directionTo(start, moving.bodies()[0].circle.center);
+  const double direction = directionTo(start, moving.circles()[0].center);
   const Point2 ahead = pointAlong(start, direction, 2.0);
   std::size_t meetings = 0;
   for (int i = 0; i < 40; ++i) meetings += moving.advance(0.1, robot_, {ahead.x, ahead.y, 0.0}).size();
@@ -87,8 +86,8 @@ TEST_F(MovingCylindersTest, MeetARobotOnceEachTime) {
 
 TEST_F(MovingCylindersTest, AreTheSameForTheSameSeed) {
   const MovingCylindersParameters parameters;
-  EXPECT_EQ(cylinders(parameters, 7).bodies()[3].circle.center.x, cylinders(parameters, 7).bodies()[3].circle.center.x);
-  EXPECT_NE(cylinders(parameters, 7).bodies()[3].circle.center.x, cylinders(parameters, 8).bodies()[3].circle.center.x);
+  EXPECT_EQ(cylinders(parameters, 7).circles()[3].center.x, cylinders(parameters, 7).circles()[3].center.x);
+  EXPECT_NE(cylinders(parameters, 7).circles()[3].center.x, cylinders(parameters, 8).circles()[3].center.x);
 }
 
 TEST_F(MovingCylindersTest, HaveTheNumbersAndMotionsOfThePublishedClasses) {
