@@ -1,6 +1,7 @@
 #include "lstm_planner/simulation/drive_film.hpp"
 
 #include <cstdio>
+#include <memory>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <vector>
@@ -20,11 +21,10 @@ constexpr double kPlanWidth = 4.0;
 constexpr double kRobotWidth = 4.0;
 constexpr int kScanRadius = 1;  // pixels
 
-}  // namespace
-
-class DriveFilm::Screen {
+/// The picture, and what has been driven and seen so far.
+class Screen {
  public:
-  Screen(const OccupancyGrid& floor, const DriveTask& task, const std::string& folder, const Parameters& parameters)
+  Screen(const OccupancyGrid& floor, const DriveTask& task, const std::string& folder, const FilmParameters& parameters)
       : floor_(floor), canvas_(floor_, parameters.longest_side), task_(task), folder_(folder), parameters_(parameters) {
     seen_ = cv::Mat::zeros(canvas_.image().size(), CV_8UC1);
   }
@@ -116,7 +116,7 @@ class DriveFilm::Screen {
   MapCanvas canvas_;
   DriveTask task_;
   std::string folder_;
-  Parameters parameters_;
+  FilmParameters parameters_;
   cv::Mat seen_;  ///< a pixel each, 255: seen
   std::vector<TracePicture::Part> parts_;
   double next_frame_ = 0.0;  ///< s
@@ -124,14 +124,13 @@ class DriveFilm::Screen {
   const DriveMoment* moment_ = nullptr;  ///< that is shown
 };
 
-DriveFilm::DriveFilm(const OccupancyGrid& floor, const DriveTask& task, const std::string& folder,
-                     const Parameters& parameters) {
+}  // namespace
+
+DriveListener filmOf(const OccupancyGrid& floor, const DriveTask& task, const std::string& folder,
+                     const FilmParameters& parameters) {
   if (floor.columns() == 0 || floor.rows() == 0) throw std::invalid_argument("an empty map cannot be drawn");
-  screen_ = std::make_unique<Screen>(floor, task, folder, parameters);
+  const auto screen = std::make_shared<Screen>(floor, task, folder, parameters);
+  return [screen](const DriveMoment& moment) { screen->show(moment); };
 }
-
-DriveFilm::~DriveFilm() = default;
-
-void DriveFilm::show(const DriveMoment& moment) { screen_->show(moment); }
 
 }  // namespace lstm_planner

@@ -1,6 +1,5 @@
 #include <atomic>
 #include <iostream>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,11 +29,9 @@ DriveResult driveOnce(const DriveOptions& options, const DriveWorld& world, cons
   NavigationAgent agent(policy, options.agent);
   if (options.knows_map) agent.know(obstaclesOf(world, exercise.task, 0.5 * options.agent.memory.resolution));
   if (!options.states.empty()) states->watch(&agent);
-  std::optional<DriveFilm> film;
   DriveListener listener;
   if (!options.film.empty()) {
-    film.emplace(floorOf(world, exercise.task), exercise.task, options.film, options.film_parameters);
-    listener = [&](const DriveMoment& moment) { film->show(moment); };
+    listener = filmOf(floorOf(world, exercise.task), exercise.task, options.film, options.film_parameters);
   }
   const Point2 start{exercise.task.start.x, exercise.task.start.y};
   const std::uint64_t seed = Random(exercise.seed)();

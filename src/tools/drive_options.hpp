@@ -38,7 +38,7 @@ struct DriveOptions {
   std::string pictures;
   std::string states;
   std::string film;  ///< folder
-  DriveFilm::Parameters film_parameters;
+  FilmParameters film_parameters;
 };
 
 /// Returns false when only the help was asked for. Throws with a sentence for options that make no sense.

@@ -23,11 +23,11 @@ OccupancyGrid cutHall() {
 /// The drive from the left part to the right one, a frame a second, 100 pixels a metre.
 class DriveFilmTest : public ::testing::Test {
  protected:
-  DriveFilmTest() : film_(cutHall(), kTask, folder_.path(), {1.0, 800}) {
+  DriveFilmTest() {
     const GridWorld world(cutHall());
     NavigationAgent agent(test::straightAheadPolicy(), test::routeLed());
-    result_ = drive(world, kTask, test::quickDrive(120.0), 1, &agent,
-                    [this](const DriveMoment& moment) { film_.show(moment); });
+    result_ =
+        drive(world, kTask, test::quickDrive(120.0), 1, &agent, filmOf(cutHall(), kTask, folder_.path(), {1.0, 800}));
   }
 
   int frames() const {
@@ -50,7 +50,6 @@ class DriveFilmTest : public ::testing::Test {
   inline static const cv::Vec3b kUnseen{205, 205, 205};
   inline static const cv::Vec3b kSeen{255, 255, 255};
   const test::ScratchFolder folder_;
-  DriveFilm film_;
   DriveResult result_;
 };
 
@@ -85,9 +84,7 @@ TEST_F(DriveFilmTest, ShowsGoalRobotAndPath) {
   EXPECT_TRUE(route_is_drawn) << "through the opening";
 }
 
-TEST(DriveFilm, RefusesWhatCannotBeDrawn) {
-  EXPECT_THROW(DriveFilm(OccupancyGrid(), {}, ".", {}), std::invalid_argument);
-}
+TEST(DriveFilm, RefusesWhatCannotBeDrawn) { EXPECT_THROW(filmOf(OccupancyGrid(), {}, ".", {}), std::invalid_argument); }
 
 }  // namespace
 }  // namespace lstm_planner::test_drive_film
