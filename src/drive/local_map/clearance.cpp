@@ -29,10 +29,11 @@ double narrowRadius(const ShieldParameters& shield) {
 
 }  // namespace
 
-Clearance::Clearance(const MemoryParameters& parameters, const ShieldParameters& shield, const ObstacleWindow& window)
-    : resolution_(window.resolution()),
-      side_(window.side()),
-      cell_size_(window.cellSize()),
+Clearance::Clearance(const MemoryParameters& parameters, const ShieldParameters& shield)
+    : window_(parameters.width, parameters.resolution),
+      resolution_(window_.resolution()),
+      side_(window_.side()),
+      cell_size_(window_.cellSize()),
       footprint_radius_(shield.footprint_radius),
       tight_clearance_(shield.tight_clearance),
       tight_radius_(footprint_radius_ + 0.5 * tight_clearance_),
@@ -46,14 +47,20 @@ Clearance::Clearance(const MemoryParameters& parameters, const ShieldParameters&
 }
 
 void Clearance::forget() {
+  window_.clear();
   blocks_.clear();
   outdateAll();
 }
 
-void Clearance::block(const ObstacleWindow& window, const Point2& place) {
+bool Clearance::moveTo(const Pose2& pose) {
+  const bool has_moved = window_.moveTo(pose);
+  if (has_moved) outdateAll();
+  return has_moved;
+}
+
+void Clearance::block(const Point2& place) {
   const auto outdateAt = [&](const Point2& block) {
-    startChanges();
-    if (const int cell = window.cellAt(block); cell >= 0) outdate(cell);
+    if (const int cell = window_.cellAt(block); cell >= 0) outdate(cell);
   };
   if (blocks_.size() == kMostBlocks) {
     outdateAt(blocks_.front());
@@ -71,10 +78,6 @@ void Clearance::relaxClearance(bool on) {
 }
 
 void Clearance::outdate(int cell) {
-  if (cell == outdated_) {
-    return;
-  }
-  outdated_ = cell;
   const int column = cell % side_;
   const int row = cell / side_;
   const int reach = near_cells_ + 1;  // the exits depend on the neighbours, too
@@ -87,18 +90,17 @@ void Clearance::outdate(int cell) {
 
 void Clearance::outdateAll() { std::fill(judged_.begin(), judged_.end(), kUnknown); }
 
-std::uint8_t Clearance::exits(const ObstacleWindow& window, int cell) {
-  judgement(window, cell);
+std::uint8_t Clearance::exits(int cell) {
+  judgement(cell);
   const auto i = static_cast<std::size_t>(cell);
   if ((judged_[i] & kExitsKnown) == 0) {
-    exits_[i] = judgeExits(window, cell);
+    exits_[i] = judgeExits(cell);
     judged_[i] |= kExitsKnown;
   }
   return exits_[i];
 }
 
-bool Clearance::isFree(const ObstacleWindow& window, const Point2& from, const Point2& to,
-                       Passage wanted_passage) const {
+bool Clearance::isFree(const Point2& from, const Point2& to, Passage wanted_passage) const {
   const double wanted = wanted_passage == Passage::kRoomy    ? roomy_radius_
                         : wanted_passage == Passage::kNarrow ? narrow_radius_
                                                              : tight_radius_;
@@ -109,23 +111,23 @@ bool Clearance::isFree(const ObstacleWindow& window, const Point2& from, const P
   for (int i = 0; i <= parts; ++i) {
     const double share = static_cast<double>(i) / parts;
     const Point2 at{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
-    const int cell = window.cellAt(at);
+    const int cell = window_.cellAt(at);
     if (cell < 0) {
       return false;
     }
     if (cell == empty) {
       continue;
     }
-    if (!isAnythingNear(window, cell, near_cells_)) {
+    if (!isAnythingNear(cell, near_cells_)) {
       empty = cell;
-    } else if (!isGapFree(window, at, radius)) {
+    } else if (!isGapFree(at, radius)) {
       return false;
     }
   }
   return true;
 }
 
-bool Clearance::isAnythingNear(const ObstacleWindow& window, int cell, int reach) const {
+bool Clearance::isAnythingNear(int cell, int reach) const {
   constexpr int kWidest = 31;
   if (reach > kWidest) {
     return true;  // there may be, somewhere
@@ -134,28 +136,28 @@ bool Clearance::isAnythingNear(const ObstacleWindow& window, int cell, int reach
   const int row = cell / side_;
   std::uint64_t bits = 0;
   for (int r = std::max(0, row - reach); r <= std::min(side_ - 1, row + reach); ++r)
-    bits |= window.cells().from(column, r);
-  return (bits & lowestBits(2 * reach + 1)) != 0 || isBlockNear(window, cell, reach);
+    bits |= window_.cells().from(column, r);
+  return (bits & lowestBits(2 * reach + 1)) != 0 || isBlockNear(cell, reach);
 }
 
-bool Clearance::isBlockNear(const ObstacleWindow& window, int cell, int reach) const {
+bool Clearance::isBlockNear(int cell, int reach) const {
   if (blocks_.empty()) {
     return false;
   }
-  const Point2 middle = window.centerOf(cell);
+  const Point2 middle = window_.centerOf(cell);
   return std::any_of(blocks_.begin(), blocks_.end(),
                      [&](const Point2& block) { return distanceBetween(block, middle) < (reach + 1) * cell_size_; });
 }
 
-std::uint8_t Clearance::judge(const ObstacleWindow& window, int cell) {
-  if (!isAnythingNear(window, cell, near_cells_)) {
+std::uint8_t Clearance::judge(int cell) {
+  if (!isAnythingNear(cell, near_cells_)) {
     return kNothingNear;
   }
-  collectNearby(window, cell, near_cells_);
+  collectNearby(cell, near_cells_);
   int best_square = 0;
   double squared = -1.0;
   for (int square = 0; square < ObstacleWindow::kCellSquares; ++square) {
-    const double here = squaredClearance(window, window.squareOf(cell, square));
+    const double here = squaredClearance(window_.squareOf(cell, square));
     if (here <= squared) continue;
     squared = here;
     best_square = square;
@@ -167,44 +169,43 @@ std::uint8_t Clearance::judge(const ObstacleWindow& window, int cell) {
   return static_cast<std::uint8_t>(static_cast<int>(passage) << 4 | best_square);
 }
 
-std::uint8_t Clearance::judgeExits(const ObstacleWindow& window, int cell) {
-  if (window.isAtBorder(cell)) {
+std::uint8_t Clearance::judgeExits(int cell) {
+  if (window_.isAtBorder(cell)) {
     return 0;
   }
-  if (!isAnythingNear(window, cell, near_cells_ + 1)) {
+  if (!isAnythingNear(cell, near_cells_ + 1)) {
     return 0xff;
   }
-  if (passage(window, cell) == Passage::kBlocked) {
+  if (passage(cell) == Passage::kBlocked) {
     return 0;
   }
   const auto neighbourOf = [&](const CellIndex& step) { return cell + step.row * side_ + step.column; };
   // Before others are collected than here.
-  for (const CellIndex& step : kGridRaySteps) judgement(window, neighbourOf(step));
-  collectNearby(window, cell, near_cells_ + 1);
-  const auto bestSquareOf = [&](int of) { return window.squareOf(of, judgement(window, of) & 0xf); };
+  for (const CellIndex& step : kGridRaySteps) judgement(neighbourOf(step));
+  collectNearby(cell, near_cells_ + 1);
+  const auto bestSquareOf = [&](int of) { return window_.squareOf(of, judgement(of) & 0xf); };
   std::uint8_t exits = 0;
   for (std::size_t direction = 0; direction < kGridRaySteps.size(); ++direction) {
     const int neighbour = neighbourOf(kGridRaySteps[direction]);
-    if (passage(window, neighbour) != Passage::kBlocked &&
-        isLineFree(window, bestSquareOf(cell), bestSquareOf(neighbour))) {
+    if (passage(neighbour) != Passage::kBlocked && isLineFree(bestSquareOf(cell), bestSquareOf(neighbour))) {
       exits = static_cast<std::uint8_t>(exits | 1u << direction);
     }
   }
   return exits;
 }
 
-void Clearance::collectNearby(const ObstacleWindow& window, int cell, int reach) {
+void Clearance::collectNearby(int cell, int reach) {
   nearby_.clear();
-  const Square first = window.squareOf(cell, 0);
+  const Square first = window_.squareOf(cell, 0);
   const int around = kSide * reach;
-  window.visitOccupied({first.column - around, first.row - around},
-                       {first.column + kSide - 1 + around, first.row + kSide - 1 + around}, [&](const Square& square) {
-                         nearby_.push_back(square);
-                         return false;
-                       });
+  window_.visitOccupied({first.column - around, first.row - around},
+                        {first.column + kSide - 1 + around, first.row + kSide - 1 + around}, [&](const Square& square) {
+                          nearby_.push_back(square);
+                          return false;
+                        });
 }
 
-double Clearance::squaredClearance(const ObstacleWindow& window, const Square& square) const {
+double Clearance::squaredClearance(const Square& square) const {
   int squares = std::numeric_limits<int>::max();
   for (const Square& other : nearby_) {
     const int columns = other.column - square.column;
@@ -213,13 +214,13 @@ double Clearance::squaredClearance(const ObstacleWindow& window, const Square& s
   }
   double squared = squares * resolution_ * resolution_;
   for (const Point2& block : blocks_) {
-    const double distance = distanceBetween(block, window.centerOf(square));
+    const double distance = distanceBetween(block, window_.centerOf(square));
     squared = std::min(squared, distance * distance);
   }
   return squared;
 }
 
-bool Clearance::isLineFree(const ObstacleWindow& window, const Square& from, const Square& to) const {
+bool Clearance::isLineFree(const Square& from, const Square& to) const {
   const Square& lower = from.row <= to.row ? from : to;
   const Square& upper = from.row <= to.row ? to : from;
   const double radius = onThePath(tight_radius_);
@@ -228,27 +229,27 @@ bool Clearance::isLineFree(const ObstacleWindow& window, const Square& from, con
     return squaredDistanceToSegment(pointOf(obstacle), pointOf(lower), pointOf(upper)) < squares * squares;
   };
   const auto blocks = [&](const Point2& block) {
-    return squaredDistanceToSegment(block, window.centerOf(from), window.centerOf(to)) < radius * radius;
+    return squaredDistanceToSegment(block, window_.centerOf(from), window_.centerOf(to)) < radius * radius;
   };
   return std::none_of(nearby_.begin(), nearby_.end(), isBeside) && std::none_of(blocks_.begin(), blocks_.end(), blocks);
 }
 
-bool Clearance::isGapFree(const ObstacleWindow& window, const Point2& position, double radius) const {
+bool Clearance::isGapFree(const Point2& position, double radius) const {
   const auto isNear = [&](const Point2& block) { return distanceBetween(position, block) < radius; };
   if (std::any_of(blocks_.begin(), blocks_.end(), isNear)) {
     return false;
   }
   // In squares from the middle of the window's first one.
   const double scale = 1.0 / resolution_;
-  const double x = position.x * scale - window.origin().column - 0.5;
-  const double y = position.y * scale - window.origin().row - 0.5;
+  const double x = position.x * scale - window_.origin().column - 0.5;
+  const double y = position.y * scale - window_.origin().row - 0.5;
   const double reach = radius * scale;
   bool is_free = true;
-  window.visitOccupied({floorOf(x - reach), floorOf(y - reach)}, {floorOf(x + reach), floorOf(y + reach)},
-                       [&](const Square& at) {
-                         is_free = square(at.column - x) + square(at.row - y) >= reach * reach;
-                         return !is_free;
-                       });
+  window_.visitOccupied({floorOf(x - reach), floorOf(y - reach)}, {floorOf(x + reach), floorOf(y + reach)},
+                        [&](const Square& at) {
+                          is_free = square(at.column - x) + square(at.row - y) >= reach * reach;
+                          return !is_free;
+                        });
   return is_free;
 }
 

@@ -16,37 +16,31 @@ constexpr double kUnderneath = 0.9;
 
 LocalMap::LocalMap(const MemoryParameters& parameters, const ShieldParameters& shield)
     : footprint_radius_(footprintOf(shield).inscribedRadius()),
-      window_(parameters.width, parameters.resolution),
+      clearance_(parameters, shield),
       scan_changes_(parameters.reach),
-      clearance_(parameters, shield, window_),
       reach_(parameters.reach) {
   forget();
 }
 
 void LocalMap::forget() {
-  window_.clear();
-  marks_.clear();
   clearance_.forget();
+  marks_.clear();
 }
 
 void LocalMap::add(const Situation& situation) {
   if (!isInReach(situation.pose)) {
     return;
   }
-  if (window_.moveTo(situation.pose)) {
-    markKnown();
-    clearance_.outdateAll();
-  }
-  clearance_.startChanges();
+  if (clearance_.moveTo(situation.pose)) markKnown();
   takeOverMarks(situation);
-  scan_changes_.find(situation, window_);
+  scan_changes_.find(situation, window());
   for (const std::uint32_t key : scan_changes_.cleared()) {
-    if (!isMarked(squareOf(key))) set(squareOf(key), false);
+    if (!isMarked(squareOf(key))) clearance_.set(squareOf(key), false);
   }
   for (const std::uint32_t key : scan_changes_.returns()) {
     const Square square = squareOf(key);
-    if (!window_.isOccupied(square)) {
-      set(square, true);
+    if (!window().isOccupied(square)) {
+      clearance_.set(square, true);
     }
   }
   // Where the robot stands nothing else can be.
@@ -55,8 +49,8 @@ void LocalMap::add(const Situation& situation) {
 
 void LocalMap::markKnown() {
   for (const Point2& place : known_) {
-    const Square square = window_.squareAt(place);
-    if (window_.contains(square)) window_.set(square, true);
+    const Square square = window().squareAt(place);
+    if (window().contains(square)) clearance_.set(square, true);
   }
 }
 
@@ -65,12 +59,13 @@ void LocalMap::takeOverMarks(const Situation& situation) {
   collectMarks(situation);
   for (const Mark mark : marks_) {
     const Square square = squareOfMark(mark);
-    if (window_.contains(square) && !std::binary_search(marked_.begin(), marked_.end(), mark)) set(square, false);
+    if (window().contains(square) && !std::binary_search(marked_.begin(), marked_.end(), mark))
+      clearance_.set(square, false);
   }
   marks_.swap(marked_);
   for (const Mark mark : marks_) {
     const Square square = squareOfMark(mark);
-    if (!window_.isOccupied(square)) set(square, true);
+    if (!window().isOccupied(square)) clearance_.set(square, true);
   }
 }
 
@@ -78,10 +73,10 @@ void LocalMap::collectMarks(const Situation& situation) {
   marked_.clear();
   for (const Point2& place : situation.marked) {
     if (std::hypot(place.x, place.y) > reach_) continue;
-    const Square square = window_.squareAt(toParentFrame(situation.pose, place));
-    const bool is_underneath = window_.contains(square) && distanceBetween(window_.centerOf(square), situation.pose) <
-                                                               kUnderneath * footprint_radius_;
-    if (window_.contains(square) && !is_underneath && !isSeenBeside(square)) marked_.push_back(markAt(square));
+    const Square square = window().squareAt(toParentFrame(situation.pose, place));
+    const bool is_underneath = window().contains(square) && distanceBetween(window().centerOf(square), situation.pose) <
+                                                                kUnderneath * footprint_radius_;
+    if (window().contains(square) && !is_underneath && !isSeenBeside(square)) marked_.push_back(markAt(square));
   }
   std::sort(marked_.begin(), marked_.end());
   marked_.erase(std::unique(marked_.begin(), marked_.end()), marked_.end());
@@ -91,7 +86,7 @@ bool LocalMap::isSeenBeside(const Square& square) const {
   for (int row = square.row - 1; row <= square.row + 1; ++row) {
     for (int column = square.column - 1; column <= square.column + 1; ++column) {
       const Square beside{column, row};
-      if (window_.contains(beside) && window_.isOccupied(beside) && !isMarked(beside)) return true;
+      if (window().contains(beside) && window().isOccupied(beside) && !isMarked(beside)) return true;
     }
   }
   return false;
@@ -102,34 +97,28 @@ bool LocalMap::isMarked(const Square& square) const {
 }
 
 LocalMap::Mark LocalMap::markAt(const Square& square) const {
-  const auto column = static_cast<std::uint32_t>(square.column + window_.origin().column);
-  const auto row = static_cast<std::uint32_t>(square.row + window_.origin().row);
+  const auto column = static_cast<std::uint32_t>(square.column + window().origin().column);
+  const auto row = static_cast<std::uint32_t>(square.row + window().origin().row);
   return static_cast<Mark>(row) << 32 | column;
 }
 
 Square LocalMap::squareOfMark(Mark mark) const {
-  return {static_cast<int>(static_cast<std::uint32_t>(mark)) - window_.origin().column,
-          static_cast<int>(static_cast<std::uint32_t>(mark >> 32)) - window_.origin().row};
+  return {static_cast<int>(static_cast<std::uint32_t>(mark)) - window().origin().column,
+          static_cast<int>(static_cast<std::uint32_t>(mark >> 32)) - window().origin().row};
 }
 
-void LocalMap::block(const Point2& place) { clearance_.block(window_, place); }
-
-void LocalMap::relaxClearance(bool on) { clearance_.relaxClearance(on); }
-
 void LocalMap::forgetUnderneath(const Pose2& pose) {
-  const Square here = window_.squareAt({pose.x, pose.y});
-  const int squares = static_cast<int>(footprint_radius_ / window_.resolution());
+  const Square here = window().squareAt({pose.x, pose.y});
+  const int squares = static_cast<int>(footprint_radius_ / window().resolution());
   for (int row = -squares; row <= squares; ++row) {
     for (int column = -squares; column <= squares; ++column) {
       const Square square{here.column + column, here.row + row};
-      if (window_.contains(square) && window_.isOccupied(square) &&
-          distanceBetween(window_.centerOf(square), pose) < kUnderneath * footprint_radius_) {
-        set(square, false);
+      if (window().contains(square) && window().isOccupied(square) &&
+          distanceBetween(window().centerOf(square), pose) < kUnderneath * footprint_radius_) {
+        clearance_.set(square, false);
       }
     }
   }
 }
-
-void LocalMap::set(const Square& square, bool occupied) { clearance_.outdate(window_.set(square, occupied)); }
 
 }  // namespace lstm_planner

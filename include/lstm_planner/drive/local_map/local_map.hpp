@@ -46,45 +46,47 @@ class LocalMap {
 
   /// Marks a place as not passable although no obstacle was seen there; until forget(), or until many other places were
   /// marked.
-  void block(const Point2& place);
+  void block(const Point2& place) { clearance_.block(place); }
 
   /// Whether places count as passable that seem too narrow by not more than the error of noise and squares. This is
   /// seldom true, but worth a try if there is no other path.
-  void relaxClearance(bool on);
+  void relaxClearance(bool on) { clearance_.relaxClearance(on); }
 
   /// Where obstacles are remembered: the middles of the occupied squares.
-  std::vector<Point2> obstacles() const { return window_.occupied(); }
+  std::vector<Point2> obstacles() const { return window().occupied(); }
 
-  int side() const { return window_.side(); }  ///< cells a side of the window
-  double cellSize() const { return window_.cellSize(); }
+  int side() const { return window().side(); }  ///< cells a side of the window
+  double cellSize() const { return window().cellSize(); }
   int nearCells() const { return clearance_.nearCells(); }  ///< within which an obstacle matters to what is passable
   /// Index of the cell at a position, row by row; -1 outside the window.
-  int cellAt(const Point2& position) const { return window_.cellAt(position); }
-  Point2 centerOf(int cell) const { return window_.centerOf(cell); }
-  bool isAtBorder(int cell) const { return window_.isAtBorder(cell); }
-  Passage passage(int cell) { return clearance_.passage(window_, cell); }
+  int cellAt(const Point2& position) const { return window().cellAt(position); }
+  Point2 centerOf(int cell) const { return window().centerOf(cell); }
+  bool isAtBorder(int cell) const { return window().isAtBorder(cell); }
+  Passage passage(int cell) { return clearance_.passage(cell); }
   /// The place in a cell that is farthest from all obstacles.
-  Point2 bestPlace(int cell) { return clearance_.bestPlace(window_, cell); }
+  Point2 bestPlace(int cell) { return clearance_.bestPlace(cell); }
 
   /// To which of its eight neighbours the footprint can go from a cell, best place to best place: a bit each,
   /// counter-clockwise from the neighbour along x. 0 at the border of the window.
-  std::uint8_t exits(int cell) { return clearance_.exits(window_, cell); }
+  std::uint8_t exits(int cell) { return clearance_.exits(cell); }
 
   /// Visits the middles of the occupied squares that are at most `reach` (m) from a place along each axis.
   template <typename Visit>
   void visitObstaclesNear(const Point2& place, double reach, const Visit& visit) const {
-    window_.visitOccupiedNear(place, reach, visit);
+    window().visitOccupiedNear(place, reach, visit);
   }
 
   /// True when the straight path from one place to the other is a passage at least that good; ends outside the window
   /// are never free.
   bool isFree(const Point2& from, const Point2& to, Passage passage) const {
-    return clearance_.isFree(window_, from, to, passage);
+    return clearance_.isFree(from, to, passage);
   }
 
  private:
   /// A square of the odometry frame in one number.
   using Mark = std::uint64_t;
+
+  const ObstacleWindow& window() const { return clearance_.window(); }
   void markKnown();
   void takeOverMarks(const Situation& situation);
   void collectMarks(const Situation& situation);
@@ -92,13 +94,11 @@ class LocalMap {
   bool isMarked(const Square& square) const;
   Mark markAt(const Square& square) const;
   Square squareOfMark(Mark mark) const;
-  void set(const Square& square, bool occupied);
   void forgetUnderneath(const Pose2& pose);
 
   double footprint_radius_;  ///< m, inscribed
-  ObstacleWindow window_;
-  ScanChanges scan_changes_;
   Clearance clearance_;
+  ScanChanges scan_changes_;
   double reach_;               ///< m, of what is remembered
   std::vector<Point2> known_;  ///< beforehand
   std::vector<Mark> marks_;    ///< of a costmap, sorted
