@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "lstm_planner/drive/decision/action_set.hpp"
 #include "lstm_planner/drive/decision/arrival.hpp"
@@ -110,23 +109,19 @@ class StepsTowards {
   }
 
  private:
-  /// The free steering angle nearest to the bearing; what is measured costs more than what is compared.
+  /// The free steering angle nearest to the bearing, of two as far aside the first one.
   std::optional<double> directionAside(const Point2& at, double bearing, double heading, double length) const {
     static const ActionSet actions;
-    std::pair<double, int> tried{0.0,
-                                 -1};  // how far aside, and which action; of two as far aside the first comes first
-    for (;;) {
-      std::pair<double, int> nearest{M_PI, -1};
-      for (int action = 0; action < actions.size(); ++action) {
-        const double aside = std::abs(normalizeAngle(heading + actions.angle(action) - bearing));
-        const std::pair<double, int> candidate{aside, action};
-        if (candidate > tried && candidate < nearest) nearest = candidate;
-      }
-      if (nearest.second < 0) return std::nullopt;
-      const double direction = heading + actions.angle(nearest.second);
-      if (shield_.isFree(at, direction, length, clearance_)) return direction;
-      tried = nearest;
+    double nearest = M_PI;
+    std::optional<double> free;
+    for (const double angle : actions.angles()) {
+      const double direction = heading + angle;
+      const double aside = std::abs(normalizeAngle(direction - bearing));
+      if (aside >= nearest || !shield_.isFree(at, direction, length, clearance_)) continue;
+      nearest = aside;
+      free = direction;
     }
+    return free;
   }
 
   Point2 goal_;
