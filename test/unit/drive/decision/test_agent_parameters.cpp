@@ -61,12 +61,8 @@ TEST(AgentParameters, NameTheirLeaders) {
   for (const Leader leader : {Leader::kNetwork, Leader::kRoute, Leader::kGreedy}) {
     EXPECT_EQ(leaderNamed(nameOfLeader(leader)), leader);
   }
-  try {
-    leaderNamed("lstm");
-    FAIL() << "no leader is called so";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "leader is 'lstm', expected network, route or none");
-  }
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([] { leaderNamed("lstm"); }),
+            "leader is 'lstm', expected network, route or none");
 }
 
 TEST(AgentParameters, ARouteCannotLeadWhereNothingIsRemembered) {

@@ -14,12 +14,6 @@ namespace {
 
 using Metadata = std::map<std::string, std::string>;
 
-/// What is said when `action` throws a T; empty when it does not.
-template <typename T, typename Action>
-std::string complaintOf(Action action) {
-  return test::refusalOf<T>([&] { action(); });
-}
-
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(DrivePolicy, DescriptionSurvivesItsMetadata) {
@@ -50,7 +44,7 @@ TEST(DrivePolicy, EveryKeyOfTheMetadataIsMissedByName) {
   for (const auto& entry : complete) {
     Metadata metadata = complete;
     metadata.erase(entry.first);
-    const std::string complaint = complaintOf<std::invalid_argument>([&] { readPolicyDescription(metadata); });
+    const std::string complaint = test::refusalOf<std::invalid_argument>([&] { readPolicyDescription(metadata); });
     EXPECT_TRUE(contains(complaint, entry.first)) << entry.first << ": " << complaint;
   }
 }
@@ -75,9 +69,9 @@ TEST(DrivePolicy, RefusesANetworkThatDoesNotFitItsEncoderOrActions) {
     return LayerStack{DenseLayer{Eigen::MatrixXf::Zero(outputs, inputs), Eigen::VectorXf::Zero(outputs)}};
   };
   EXPECT_NO_THROW(DrivePolicy({}, dense(14, 5)));
-  const std::string inputs = complaintOf<std::invalid_argument>([&] { DrivePolicy({}, dense(11, 5)); });
+  const std::string inputs = test::refusalOf<std::invalid_argument>([&] { DrivePolicy({}, dense(11, 5)); });
   EXPECT_EQ(inputs, "the network takes 11 inputs, its input layout has 14");
-  const std::string outputs = complaintOf<std::invalid_argument>([&] { DrivePolicy({}, dense(14, 8)); });
+  const std::string outputs = test::refusalOf<std::invalid_argument>([&] { DrivePolicy({}, dense(14, 8)); });
   EXPECT_EQ(outputs, "the network has 8 outputs, its action set has 5");
 }
 
@@ -103,7 +97,7 @@ TEST(DrivePolicy, WarnsOfRobotsThatTheModelWasNeverTriedWith) {
 
 TEST(DrivePolicy, SaysWhatDoesNotFit) {
   const PolicyDescription description;
-  const std::string step = complaintOf<std::invalid_argument>([&] { checkFits(description, 0.5); });
+  const std::string step = test::refusalOf<std::invalid_argument>([&] { checkFits(description, 0.5); });
   EXPECT_TRUE(contains(step, "step/length") && contains(step, "0.5") && contains(step, "0.4")) << step;
   const std::string radius = sizeWarning(description, 0.3);
   EXPECT_TRUE(contains(radius, "this robot's is 0.3")) << radius;
@@ -132,11 +126,11 @@ TEST(DrivePolicy, RefusesAFileWhoseMetadataDoNotFitByItsName) {
   Model model{layers, {}};
   writeMetadata(description, &model.metadata);
   writeModelFile(path, model);
-  const std::string sizes = complaintOf<ModelFileError>([&] { DrivePolicy::fromFile(path); });
+  const std::string sizes = test::refusalOf<ModelFileError>([&] { DrivePolicy::fromFile(path); });
   EXPECT_EQ(sizes, path + ": the network has 5 outputs, its action set has 3");
 
   writeModelFile(path, {layers, {}});
-  const std::string missing = complaintOf<ModelFileError>([&] { DrivePolicy::fromFile(path); });
+  const std::string missing = test::refusalOf<ModelFileError>([&] { DrivePolicy::fromFile(path); });
   EXPECT_TRUE(contains(missing, path)) << missing;
 }
 

@@ -1,27 +1,19 @@
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
 #include "lstm_planner/drive/decision/goal_changes.hpp"
 #include "lstm_planner/drive/perception/reach.hpp"
 #include "support/agent_steps.hpp"
+#include "support/refusal.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 #include "unit/drive/perception/scan_builder.hpp"
 
 namespace lstm_planner::test_navigation_reach {
 namespace {
 
-std::string complaintOf(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return {};
-}
+using test::refusalOf;
 
 class NavigationReach : public ::testing::Test {
  protected:
@@ -41,21 +33,21 @@ TEST_F(NavigationReach, RefusesAGoalThatIsTooFarAway) {
   const Point2 goal{4.5e6, 0.0};
   const std::string sentence =
       "the goal is 4.5e+06 m from the robot, expected at most 10000 m: is it given in the right frame?";
-  EXPECT_EQ(complaintOf([&] { tell({goal.x, goal.y}, true); }), sentence);
-  EXPECT_EQ(complaintOf([&] { agent_.preview(goal); }), sentence);
-  EXPECT_NE(complaintOf([&] { tell({std::numeric_limits<double>::quiet_NaN(), 0.0}, true); }), "");
+  EXPECT_EQ(refusalOf([&] { tell({goal.x, goal.y}, true); }), sentence);
+  EXPECT_EQ(refusalOf([&] { agent_.preview(goal); }), sentence);
+  EXPECT_NE(refusalOf([&] { tell({std::numeric_limits<double>::quiet_NaN(), 0.0}, true); }), "");
 }
 
 TEST_F(NavigationReach, TakesAGoalThatWasTooFarAwayForNewWhenItCanBeDrivenTo) {
   standAt({});
-  EXPECT_NE(complaintOf([&] { tell({kFarthestGoal + 1.0, 0.0}, true); }), "");
+  EXPECT_NE(refusalOf([&] { tell({kFarthestGoal + 1.0, 0.0}, true); }), "");
   standAt({2.0, 0.0, 0.0});
   EXPECT_EQ(tell({kFarthestGoal + 1.0, 0.0}, false), GoalChanges::Fresh::kNewGoal);
   EXPECT_EQ(tell({kFarthestGoal + 1.0, 0.0}, false), GoalChanges::Fresh::kNo);
 }
 
 TEST_F(NavigationReach, RefusesAPoseThatIsTooFarAway) {
-  EXPECT_EQ(complaintOf([&] {
+  EXPECT_EQ(refusalOf([&] {
               standAt({0.0, -2e7, 0.5});
             }),
             "the robot's pose in the odometry frame is (0, -2e+07) m with yaw 0.5, expected at most 1e+07 m from the "
