@@ -68,10 +68,9 @@ struct CostmapCourse {
 
 void findCostmapObstacles(benchmark::State& state, double width, double reach) {
   const CostmapCourse course(width);
-  CostmapObstacles finder;
   std::vector<Point2> found;
   for (auto _ : state) {
-    finder.find(course.grid, course.robot, course.situation.obstacles, reach, &found);
+    found = costmapObstacles(course.grid, course.robot, course.situation.obstacles, reach);
     benchmark::DoNotOptimize(found.data());
   }
   state.counters["found"] = static_cast<double>(found.size());

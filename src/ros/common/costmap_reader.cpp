@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "lstm_planner/common/segment.hpp"
+#include "lstm_planner/drive/perception/costmap_obstacles.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 
 namespace lstm_planner {
@@ -46,7 +47,7 @@ const std::vector<Point2>& CostmapReader::read(const Pose2& base, const std::vec
   grid.resolution = costmap.getResolution();
   grid.origin = {costmap.getOriginX(), costmap.getOriginY()};
   grid.inscribed_radius = inscribedRadius(costmap_->getRobotFootprint());
-  finder_.find(grid, base, returns, reach_, &obstacles_);
+  obstacles_ = costmapObstacles(grid, base, returns, reach_);
   sayWhatIsNear();
   return obstacles_;
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/drive/perception/costmap_obstacles.hpp"
+#include "lstm_planner/common/geometry.hpp"
 
 namespace lstm_planner {
 
@@ -14,8 +14,8 @@ namespace lstm_planner {
 /// this one first, as move_base does.
 std::unique_lock<costmap_2d::Costmap2D::mutex_t> lockOf(costmap_2d::Costmap2DROS* costmap);
 
-/// Reads the obstacles that one of move_base's costmaps has and a scan does not show (CostmapObstacles). Keeps nothing:
-/// what is cleared in the costmap is gone.
+/// Reads the obstacles that one of move_base's costmaps has and a scan does not show (costmapObstacles()). Keeps
+/// nothing: what is cleared in the costmap is gone.
 class CostmapReader {
  public:
   /// `costmap`: null where it is not to be used. `reach`: farthest obstacle that is looked at, m.
@@ -33,7 +33,6 @@ class CostmapReader {
 
   costmap_2d::Costmap2DROS* costmap_;
   double reach_;
-  CostmapObstacles finder_;
   std::vector<Point2> obstacles_;
 };
 

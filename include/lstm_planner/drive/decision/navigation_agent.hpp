@@ -61,8 +61,8 @@ class NavigationAgent {
   /// std::invalid_argument if nothing is remembered (memory/enabled is false).
   void perceive(const Situation& situation);
 
-  /// Obstacles of a costmap that the last scan does not show (CostmapObstacles); base frame, m. They count as returns,
-  /// until the next scan: then they must be given again.
+  /// Obstacles of a costmap that the last scan does not show (costmapObstacles()); base frame, m. They count as
+  /// returns, until the next scan: then they must be given again.
   void mark(const std::vector<Point2>& obstacles);
 
   /// Obstacles that are known before the drive, in the frame of the poses, m: they are remembered as if they had been

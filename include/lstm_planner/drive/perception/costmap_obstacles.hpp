@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "lstm_planner/common/geometry.hpp"
@@ -17,45 +16,14 @@ struct CostGrid {
   double inscribed_radius = 0.0;  ///< m; inflation marks cells as inscribed that are nearer to an obstacle
 };
 
-/// Finds the obstacles of a costmap around the robot that a scan does not show: from a depth camera or sonar, cliffs,
-/// keep-out zones.
+/// The obstacles of a costmap around the robot that a scan does not show: from a depth camera or sonar, cliffs,
+/// keep-out zones. Those within `reach` (m) of the robot, as points of the base frame, 6 cm or a cell apart. `base`:
+/// pose of the base frame in the costmap's, `returns` of the scan in the base frame.
 ///
 /// Obstacles are lethal cells, and inscribed cells without a lethal cell that explains them. A cell that holds a
 /// return, or is beside such a cell, is left out: the return is more exact. A cell that is surrounded by obstacles is
 /// left out, too, unless it is near the robot: a robot that does not touch the rim does not touch the inside.
-class CostmapObstacles {
- public:
-  /// Those within `reach` (m) of the robot, as points of the base frame, 6 cm or a cell apart. `base`: pose of the base
-  /// frame in the costmap's, `returns` of the scan in the base frame. `obstacles` is overwritten.
-  void find(const CostGrid& grid, const Pose2& base, const std::vector<Point2>& returns, double reach,
-            std::vector<Point2>* obstacles);
-
- private:
-  /// The part of the grid that is looked at; its cells are counted from its corner.
-  struct Window {
-    int first_column = 0;
-    int first_row = 0;
-    int columns = 0;
-    int rows = 0;
-    int words = 0;  ///< a row, 64 cells each
-  };
-  /// A bit a cell of the window, row by row.
-  using Bits = std::vector<std::uint64_t>;
-
-  bool collect(const CostGrid& grid);
-  void addUnexplained(const CostGrid& grid);
-  void showReturns(const CostGrid& grid, const Pose2& base, const std::vector<Point2>& returns);
-  void addPoints(const CostGrid& grid, const Pose2& base, double reach, std::vector<Point2>* obstacles) const;
-  /// What is within so many columns and rows of a bit.
-  void dilate(const Bits& bits, int around, Bits* dilated);
-  std::uint64_t surrounded(int row, int word) const;
-
-  Window window_;
-  Bits occupied_;
-  Bits inscribed_;
-  Bits shown_;  ///< cells with returns, and those beside them
-  Bits wide_;   ///< of dilate()
-  Bits other_;
-};
+std::vector<Point2> costmapObstacles(const CostGrid& grid, const Pose2& base, const std::vector<Point2>& returns,
+                                     double reach);
 
 }  // namespace lstm_planner

@@ -31,7 +31,7 @@ struct Situation {
   Sectors sectors;                ///< for the network
   std::vector<Point2> obstacles;  ///< measured returns in the base frame, m, of both scanners where there are two; for
                                   ///< shield, escape and controller
-  std::vector<Point2> marked;     ///< obstacles of a costmap (CostmapObstacles), base frame, m; perceive() has none
+  std::vector<Point2> marked;     ///< obstacles of a costmap (costmapObstacles()), base frame, m; perceive() has none
   RangeProfile profile;           ///< the same scan by direction, in the base frame; for what is seen to be free
   BeamDirections beams;           ///< of the scanner; only perceive() needs them, and only to be fast
   SecondView second;              ///< without ranges where the robot has one scanner

@@ -40,13 +40,12 @@ class CostmapObstaclesTest : public ::testing::Test {
   }
 
   const std::vector<Point2>& find(const Pose2& base = {}, const std::vector<Point2>& returns = {}) {
-    finder_.find(grid_, base, returns, kReach, &found_);
+    found_ = costmapObstacles(grid_, base, returns, kReach);
     return found_;
   }
 
   std::vector<unsigned char> costs_;
   CostGrid grid_;
-  CostmapObstacles finder_;
   std::vector<Point2> found_;
 };
 
