@@ -72,15 +72,14 @@ void toProfile(const LaserScan& scan, const SensorMount& mount, const ScanRules&
                  [&](float reading) { return meaningOf(reading, least, most, rules); });
 }
 
-void toPoints(const RangeProfile& profile, BeamDirections* directions, std::vector<Point2>* points) {
+void addPoints(const RangeProfile& profile, BeamDirections* directions, std::vector<Point2>* points) {
   const std::size_t beams = profile.ranges.size();
   directions->set(profile.first_direction, profile.increment, beams);
-  points->clear();
-  points->reserve(beams);
+  points->reserve(points->size() + beams);
   for (std::size_t i = 0; i < beams; ++i) {
     const float reading = profile.ranges[i];
     const bool is_too_near = reading == -std::numeric_limits<float>::infinity();
-    if (!is_too_near && !(reading > 0.0f && std::isfinite(reading))) continue;
+    if (!is_too_near && !profile.isMeasured(i)) continue;
     const double range = is_too_near ? profile.nearest_range : reading;
     const Point2& direction = (*directions)[i];
     points->push_back({profile.origin.x + range * direction.x, profile.origin.y + range * direction.y});

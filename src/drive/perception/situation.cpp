@@ -9,7 +9,8 @@ void perceive(const LaserScan& scan, const SensorMount& mount, const ScanRules& 
   checkScan(scan, mount);
   toProfile(scan, mount, rules, &situation->profile);
   situation->sectors = averageSectors(situation->profile, rules.least_measured, range_cap);
-  toPoints(situation->profile, &situation->beams, &situation->obstacles);
+  situation->obstacles.clear();
+  addPoints(situation->profile, &situation->beams, &situation->obstacles);
   situation->marked.clear();
   situation->second.profile.ranges.clear();
 }
@@ -27,8 +28,7 @@ void perceiveSecond(const TakenScan& taken, const ScanRules& rules, Situation* s
     throw UnusableScan("the second scanner: " + std::string(error.what()));
   }
   view.time = taken.time;
-  toPoints(view.profile, &view.beams, &view.points);
-  situation->obstacles.insert(situation->obstacles.end(), view.points.begin(), view.points.end());
+  addPoints(view.profile, &view.beams, &situation->obstacles);
 }
 
 }  // namespace lstm_planner

@@ -64,9 +64,9 @@ struct RangeProfile {
 /// Fills a profile from a scan; its memory is reused.
 void toProfile(const LaserScan& scan, const SensorMount& mount, const ScanRules& rules, RangeProfile* profile);
 
-/// The measured returns as points in the base frame, m, in the order of the beams; what is too near to be measured is
-/// taken to be at the nearest range. `points` is overwritten; its memory is reused. The directions of the beams are
-/// kept from one scan to the next, which makes it ten times as fast.
-void toPoints(const RangeProfile& profile, BeamDirections* directions, std::vector<Point2>* points);
+/// Adds the measured returns as points in the base frame, m, in the order of the beams; what is too near to be measured
+/// is taken to be at the nearest range. The directions of the beams are kept from one scan to the next, which makes it
+/// ten times as fast.
+void addPoints(const RangeProfile& profile, BeamDirections* directions, std::vector<Point2>* points);
 
 }  // namespace lstm_planner

@@ -19,8 +19,7 @@ struct TakenScan {
 /// What a second scanner sees, in the base frame of the situation.
 struct SecondView {
   RangeProfile profile;
-  double time = 0.0;           ///< s, when it was taken
-  std::vector<Point2> points;  ///< measured returns, m
+  double time = 0.0;  ///< s, when it was taken
   BeamDirections beams;
 };
 

@@ -76,13 +76,13 @@ TEST(ToProfile, TakesReadingsBelowRangeMinForNoReturnWhereTheDriverSendsThem) {
 std::vector<Point2> pointsOf(const LaserScan& scan, const SensorMount& mount) {
   RangeProfile profile;
   BeamDirections directions;
-  std::vector<Point2> points(7);  // of an earlier scan
+  std::vector<Point2> points;
   toProfile(scan, mount, {}, &profile);
-  toPoints(profile, &directions, &points);
+  addPoints(profile, &directions, &points);
   return points;
 }
 
-TEST(ToPoints, AppliesTheWholeMountAndLeavesOutNoReturns) {
+TEST(AddPoints, AppliesTheWholeMountAndLeavesOutNoReturns) {
   LaserScan scan = makeScan(-M_PI_2, M_PI_2, 3);
   scan.ranges = {1.0f, kNan, 3.0f};
   const std::vector<Point2> points = pointsOf(scan, {{0.1, 0.2, M_PI_2}, false});
@@ -94,7 +94,7 @@ TEST(ToPoints, AppliesTheWholeMountAndLeavesOutNoReturns) {
   EXPECT_NEAR(points[1].y, 0.2, 1e-12);
 }
 
-TEST(ToPoints, PutsWhatIsTooNearToBeMeasuredAtTheNearestRange) {
+TEST(AddPoints, PutsWhatIsTooNearToBeMeasuredAtTheNearestRange) {
   LaserScan scan = makeScan(0.0, 0.1, 2);
   scan.range_min = 0.12;
   scan.ranges = {-kInf, kNan};
@@ -103,7 +103,7 @@ TEST(ToPoints, PutsWhatIsTooNearToBeMeasuredAtTheNearestRange) {
   EXPECT_NEAR(points[0].x, 0.12, 1e-12);
 }
 
-TEST(ToPoints, MirrorsAScannerUpsideDown) {
+TEST(AddPoints, MirrorsAScannerUpsideDown) {
   const LaserScan scan = makeScan(-M_PI_2, M_PI_2, 1, 1.0f);
   const std::vector<Point2> points = pointsOf(scan, {{}, true});
   ASSERT_EQ(points.size(), 1u);
