@@ -31,16 +31,13 @@ double narrowRadius(const ShieldParameters& shield) {
 
 Clearance::Clearance(const MemoryParameters& parameters, const ShieldParameters& shield)
     : window_(parameters.width, parameters.resolution),
-      resolution_(window_.resolution()),
-      side_(window_.side()),
-      cell_size_(window_.cellSize()),
       footprint_radius_(shield.footprint_radius),
       tight_clearance_(shield.tight_clearance),
       tight_radius_(footprint_radius_ + 0.5 * tight_clearance_),
-      narrow_radius_(narrowRadius(shield) + 0.5 * resolution_),
+      narrow_radius_(narrowRadius(shield) + 0.5 * window_.resolution()),
       roomy_radius_(std::max(shield.footprint_radius + parameters.comfort, narrow_radius_)),
-      near_cells_(static_cast<int>(std::ceil(roomy_radius_ / cell_size_))) {
-  const auto cells = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
+      near_cells_(static_cast<int>(std::ceil(roomy_radius_ / window_.cellSize()))) {
+  const auto cells = static_cast<std::size_t>(window_.side()) * static_cast<std::size_t>(window_.side());
   judged_.resize(cells, kUnknown);
   exits_.resize(cells);
   blocks_.reserve(kMostBlocks);
@@ -71,20 +68,20 @@ void Clearance::block(const Point2& place) {
 }
 
 void Clearance::relaxClearance(bool on) {
-  const double radius = footprint_radius_ + (on ? -0.5 * resolution_ : 0.5 * tight_clearance_);
+  const double radius = footprint_radius_ + (on ? -0.5 * window_.resolution() : 0.5 * tight_clearance_);
   if (radius == tight_radius_) return;
   tight_radius_ = radius;
   outdateAll();
 }
 
 void Clearance::outdate(int cell) {
-  const int column = cell % side_;
-  const int row = cell / side_;
+  const int column = cell % window_.side();
+  const int row = cell / window_.side();
   const int reach = near_cells_ + 1;  // the exits depend on the neighbours, too
   const int first = std::max(0, column - reach);
-  const int last = std::min(side_ - 1, column + reach);
-  for (int r = std::max(0, row - reach); r <= std::min(side_ - 1, row + reach); ++r) {
-    for (int c = first; c <= last; ++c) judged_[static_cast<std::size_t>(r * side_ + c)] = kUnknown;
+  const int last = std::min(window_.side() - 1, column + reach);
+  for (int r = std::max(0, row - reach); r <= std::min(window_.side() - 1, row + reach); ++r) {
+    for (int c = first; c <= last; ++c) judged_[static_cast<std::size_t>(r * window_.side() + c)] = kUnknown;
   }
 }
 
@@ -106,7 +103,7 @@ bool Clearance::isFree(const Point2& from, const Point2& to, Passage wanted_pass
                                                              : tight_radius_;
   const double radius = onThePath(wanted);
   const double length = distanceBetween(from, to);
-  const int parts = std::max(1, static_cast<int>(std::ceil(length / (2.0 * resolution_))));
+  const int parts = std::max(1, static_cast<int>(std::ceil(length / (2.0 * window_.resolution()))));
   int empty = -1;  // a cell with nothing near
   for (int i = 0; i <= parts; ++i) {
     const double share = static_cast<double>(i) / parts;
@@ -132,10 +129,10 @@ bool Clearance::isAnythingNear(int cell, int reach) const {
   if (reach > kWidest) {
     return true;  // there may be, somewhere
   }
-  const int column = cell % side_ - reach;
-  const int row = cell / side_;
+  const int column = cell % window_.side() - reach;
+  const int row = cell / window_.side();
   std::uint64_t bits = 0;
-  for (int r = std::max(0, row - reach); r <= std::min(side_ - 1, row + reach); ++r)
+  for (int r = std::max(0, row - reach); r <= std::min(window_.side() - 1, row + reach); ++r)
     bits |= window_.cells().from(column, r);
   return (bits & lowestBits(2 * reach + 1)) != 0 || isBlockNear(cell, reach);
 }
@@ -145,8 +142,9 @@ bool Clearance::isBlockNear(int cell, int reach) const {
     return false;
   }
   const Point2 middle = window_.centerOf(cell);
-  return std::any_of(blocks_.begin(), blocks_.end(),
-                     [&](const Point2& block) { return distanceBetween(block, middle) < (reach + 1) * cell_size_; });
+  return std::any_of(blocks_.begin(), blocks_.end(), [&](const Point2& block) {
+    return distanceBetween(block, middle) < (reach + 1) * window_.cellSize();
+  });
 }
 
 std::uint8_t Clearance::judge(int cell) {
@@ -179,7 +177,7 @@ std::uint8_t Clearance::judgeExits(int cell) {
   if (passage(cell) == Passage::kBlocked) {
     return 0;
   }
-  const auto neighbourOf = [&](const CellIndex& step) { return cell + step.row * side_ + step.column; };
+  const auto neighbourOf = [&](const CellIndex& step) { return cell + step.row * window_.side() + step.column; };
   // Before others are collected than here.
   for (const CellIndex& step : kGridRaySteps) judgement(neighbourOf(step));
   collectNearby(cell, near_cells_ + 1);
@@ -212,7 +210,7 @@ double Clearance::squaredClearance(const Square& square) const {
     const int rows = other.row - square.row;
     squares = std::min(squares, columns * columns + rows * rows);
   }
-  double squared = squares * resolution_ * resolution_;
+  double squared = squares * window_.resolution() * window_.resolution();
   for (const Point2& block : blocks_) {
     const double distance = distanceBetween(block, window_.centerOf(square));
     squared = std::min(squared, distance * distance);
@@ -224,7 +222,7 @@ bool Clearance::isLineFree(const Square& from, const Square& to) const {
   const Square& lower = from.row <= to.row ? from : to;
   const Square& upper = from.row <= to.row ? to : from;
   const double radius = onThePath(tight_radius_);
-  const double squares = radius / resolution_;
+  const double squares = radius / window_.resolution();
   const auto isBeside = [&](const Square& obstacle) {
     return squaredDistanceToSegment(pointOf(obstacle), pointOf(lower), pointOf(upper)) < squares * squares;
   };
@@ -240,7 +238,7 @@ bool Clearance::isGapFree(const Point2& position, double radius) const {
     return false;
   }
   // In squares from the middle of the window's first one.
-  const double scale = 1.0 / resolution_;
+  const double scale = 1.0 / window_.resolution();
   const double x = position.x * scale - window_.origin().column - 0.5;
   const double y = position.y * scale - window_.origin().row - 0.5;
   const double reach = radius * scale;

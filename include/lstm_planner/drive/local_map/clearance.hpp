@@ -80,12 +80,9 @@ class Clearance {
 
   /// What a path from best place to best place must keep to obstacles in between, m: squares round places by half a
   /// square.
-  double onThePath(double radius) const { return radius - 0.5 * resolution_; }
+  double onThePath(double radius) const { return radius - 0.5 * window_.resolution(); }
 
   ObstacleWindow window_;
-  double resolution_;          ///< m, of the window
-  int side_;                   ///< cells, of the window
-  double cell_size_;           ///< m, of the window
   double footprint_radius_;    ///< m
   double tight_clearance_;     ///< m
   double tight_radius_ = 0.0;  ///< m from the middle of the footprint to the middle of an occupied square
