@@ -105,9 +105,4 @@ OccupancyGrid generateForest(const ForestParameters& parameters, std::uint64_t s
   return grid;
 }
 
-OccupancyGrid generateOpenField(const OpenFieldParameters& parameters) {
-  const auto cells = [&](double metres) { return static_cast<int>(std::ceil(metres / parameters.resolution)); };
-  return OccupancyGrid(cells(parameters.width), cells(parameters.height), parameters.resolution);
-}
-
 }  // namespace lstm_planner

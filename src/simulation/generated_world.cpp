@@ -1,6 +1,7 @@
 #include "lstm_planner/simulation/generated_world.hpp"
 
 #include <array>
+#include <cmath>
 #include <stdexcept>
 
 #include "lstm_planner/common/random.hpp"
@@ -72,11 +73,13 @@ OccupancyGrid drawForest(Random& random) {
   return generateForest(forest, random());
 }
 
+/// Nothing anywhere, not even a wall around it. The size is that of the part in which goals lie.
 OccupancyGrid drawOpenField(Random& random) {
-  OpenFieldParameters field;
-  field.width = uniform(random, 10.0, 40.0);
-  field.height = uniform(random, 10.0, 40.0);
-  return generateOpenField(field);
+  constexpr double kResolution = 0.1;  // m
+  const auto drawCells = [&] { return static_cast<int>(std::ceil(uniform(random, 10.0, 40.0) / kResolution)); };
+  const int columns = drawCells();
+  const int rows = drawCells();
+  return OccupancyGrid(columns, rows, kResolution);
 }
 
 OccupancyGrid drawRooms(Random& random) {

@@ -92,13 +92,4 @@ struct ForestParameters {
 };
 OccupancyGrid generateForest(const ForestParameters& parameters, std::uint64_t seed);
 
-/// Nothing anywhere, not even a wall around it: a scanner sees nothing at all. The size is that of the part in which
-/// goals lie.
-struct OpenFieldParameters {
-  double width = 30.0;      ///< m
-  double height = 30.0;     ///< m
-  double resolution = 0.1;  ///< m a cell
-};
-OccupancyGrid generateOpenField(const OpenFieldParameters& parameters);
-
 }  // namespace lstm_planner

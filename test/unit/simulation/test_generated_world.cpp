@@ -160,9 +160,9 @@ TEST(Forest, KeepsItsGaps) {
 }
 
 TEST(OpenField, ShowsNothing) {
-  const GridWorld field(generateOpenField({}));
+  const GridWorld field(generateWorld(WorldKind::kOpen, 1));
   std::vector<double> ranges(360);
-  field.castRays({15.0, 15.0}, 0.0, 0.0174, 60.0, &ranges);
+  field.castRays({5.0, 5.0}, 0.0, 0.0174, 60.0, &ranges);
   EXPECT_TRUE(std::all_of(ranges.begin(), ranges.end(), [](double range) { return std::isinf(range); }));
 }
 
