@@ -122,7 +122,7 @@ TEST(Drive, IsTheSameForTheSameSeed) {
   const GridWorld world(test::emptyHall(6.0, 4.0));
   const DriveTask task{{1.0, 1.0, 2.0}, {5.0, 3.0}, 0.0};
   const auto run = [&](std::uint64_t seed) {
-    NavigationAgent agent(test::uselessPolicy(), {});
+    NavigationAgent agent(noPolicy(), {});
     return drive(world, task, test::quickDrive(120.0), seed, &agent);
   };
   const DriveResult first = run(1);

@@ -168,7 +168,7 @@ TEST_P(UselessPolicyDrives, ReachEveryGoalOfAFloorPlan) {
   plan.height = 9.0;
   const GridWorld world(generateFloorPlan(plan, static_cast<std::uint64_t>(GetParam())));
   const std::vector<DriveTask> tasks = drawTasks(world, 20, kRadius, 0.12, 2.0, static_cast<std::uint64_t>(GetParam()));
-  NavigationAgent agent(test::uselessPolicy(), {});
+  NavigationAgent agent(noPolicy(), {});
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     const DriveTask& task = tasks[i];
     const DriveResult result = drive(world, task, test::quickDrive(1800.0), i, &agent);

@@ -31,8 +31,6 @@ AgentParameters routeLed() {
 
 DrivePolicy straightAheadPolicy() { return policyPreferring({0.0f, 1.0f, 2.0f, 1.0f, 0.0f}); }
 
-DrivePolicy uselessPolicy() { return policyPreferring({0.0f, 0.0f, 0.0f, 0.0f, 0.0f}); }
-
 Situation situationAt(const Pose2& pose, double time, const std::vector<Point2>& obstacles) {
   Situation situation;
   situation.time = time;

@@ -20,9 +20,6 @@ AgentParameters routeLed();
 /// Goes straight on wherever it may, and rather a little aside than back.
 DrivePolicy straightAheadPolicy();
 
-/// All weights are zero: it likes every action alike.
-DrivePolicy uselessPolicy();
-
 /// What the agent knows at a place where it sees these points (base frame, m).
 Situation situationAt(const Pose2& pose, double time = 0.0, const std::vector<Point2>& obstacles = {});
 
