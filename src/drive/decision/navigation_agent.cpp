@@ -56,8 +56,8 @@ NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& para
       shield_(footprintOf(parameters.shield), parameters.shield.tight_clearance, parameters.shield.reach),
       out_of_view_(outOfViewOf(shield_)),
       bug_algorithm_(parameters.escape, parameters.shield),
-      replanner_(parameters.memory.enabled ? Boxed<Replanner>(Replanner(parameters.memory, parameters.shield))
-                                           : Boxed<Replanner>()),
+      replanner_(parameters.memory.enabled ? std::make_optional<Replanner>(parameters.memory, parameters.shield)
+                                           : std::nullopt),
       bound_(parameters.detour),
       clock_(parameters.step),
       progress_(parameters.escape.progress) {

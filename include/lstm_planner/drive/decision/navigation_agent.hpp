@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "lstm_planner/common/boxed.hpp"
 #include "lstm_planner/common/detour_bound.hpp"
 #include "lstm_planner/common/progress_watch.hpp"
 #include "lstm_planner/drive/collision/shield.hpp"
@@ -157,7 +156,7 @@ class NavigationAgent {
   Shield shield_;
   std::optional<OutOfView> out_of_view_;  ///< none of a circle: what it turns away from it does not hit
   BugAlgorithm bug_algorithm_;
-  Boxed<Replanner> replanner_;  ///< none where nothing is to be remembered
+  std::optional<Replanner> replanner_;  ///< none where nothing is to be remembered
   DetourBound bound_;
   DriveTrace trace_;
   StepClock clock_;
