@@ -84,6 +84,4 @@ PlaceVisit PlaceTrace::at(Scale scale, const Point2& position) const {
   return {static_cast<int>(entry.count), now_ - static_cast<int>(entry.stamp)};
 }
 
-std::size_t PlaceTrace::bytes() { return sizeof(PlaceTrace) + firstEntry(kPlaceScales) * sizeof(Entry); }
-
 }  // namespace lstm_planner

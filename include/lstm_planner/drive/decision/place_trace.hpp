@@ -40,8 +40,6 @@ class PlaceTrace {
   /// About the square of `position`.
   PlaceVisit at(Scale scale, const Point2& position) const;
 
-  static std::size_t bytes();
-
  private:
   /// What is remembered of a square.
   struct Entry {

@@ -102,7 +102,5 @@ TEST(PlaceTrace, IgnoresPlacesThatAreNowhere) {
   EXPECT_EQ(trace.at(kStep, {1e300, 0.0}).count, 0);
 }
 
-TEST(PlaceTrace, StaysSmall) { EXPECT_LE(PlaceTrace::bytes(), 9500u); }
-
 }  // namespace
 }  // namespace lstm_planner::test_place_trace
