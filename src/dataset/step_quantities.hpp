@@ -35,7 +35,7 @@ void visitQuantities(Step& step, Visit&& visit) {
 
 /// Calls visit(column, unit, number) for each number of a quantity: the columns of table steps and of CSV files.
 template <typename Quantity, typename Visit>
-void visitNumbers(const std::string& name, const char* unit, Quantity& quantity, Visit&& visit) {
+void visitNumbers(const std::string& name, [[maybe_unused]] const char* unit, Quantity& quantity, Visit&& visit) {
   using Plain = std::remove_const_t<Quantity>;
   if constexpr (std::is_arithmetic_v<Plain>) {
     visit(name, unit, quantity);
