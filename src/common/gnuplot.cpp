@@ -41,12 +41,14 @@ std::string quotedForGnuplot(const std::string& text) { return "'" + replaceAll(
 std::string csvPathBeside(const std::string& png_path) { return png_path.substr(0, png_path.rfind('.')) + ".csv"; }
 
 void runGnuplot(const std::string& what, const std::string& png_path, const std::string& csv_path,
-                const std::function<std::string(const std::string& path)>& script_for) {
+                const std::string& size, const std::string& script) {
   const std::string name = what + " '" + png_path + "'";
   try {
     OutputFile picture(png_path);
+    const std::string terminal =
+        "set terminal pngcairo size " + size + "; set output " + quotedForGnuplot(picture.partPath()) + "; ";
     std::string output;
-    const int status = runCommand("gnuplot -e " + quotedForShell(script_for(picture.partPath())), output);
+    const int status = runCommand("gnuplot -e " + quotedForShell(terminal + script), output);
     constexpr int kCommandNotFound = 127;
     if (status == kCommandNotFound) {
       throw std::runtime_error(name + " needs gnuplot, which is not installed; the numbers are in '" + csv_path + "'");

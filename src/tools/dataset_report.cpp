@@ -94,11 +94,10 @@ void writePaths(const std::string& path, const std::string& ends_path, const Dat
   });
 }
 
-std::string scriptOf(const std::string& path, const ScratchFolder& scratch) {
+std::string scriptOf(const ScratchFolder& scratch) {
   const auto data = [&](const char* name) { return quotedForGnuplot(scratch / name); };
   std::ostringstream script;
-  script << "set terminal pngcairo size 1400,800; set output " << quotedForGnuplot(path) << "; "
-         << "set multiplot; set grid; set style fill solid 0.7; unset key; "
+  script << "set multiplot; set grid; set style fill solid 0.7; unset key; "
          << "set origin 0,0.5; set size 0.4,0.5; set title 'labels'; set xlabel 'steering angle [deg]'; "
          << "set ylabel 'steps'; set yrange [0:*]; set offsets graph 0.1, graph 0.1, graph 0.1, 0; set boxwidth 0.7 "
             "relative; "
@@ -159,8 +158,7 @@ void drawDataset(const std::string& path, const Dataset& dataset) {
   writeLabels(scratch / "labels", summarise(dataset));
   writeRanges(scratch / "ranges", dataset);
   writePaths(scratch / "paths", scratch / "ends", dataset);
-  runGnuplot("picture", path, scratch / "paths",
-             [&](const std::string& part_path) { return scriptOf(part_path, scratch); });
+  runGnuplot("picture", path, scratch / "paths", "1400,800", scriptOf(scratch));
 }
 
 }  // namespace lstm_planner

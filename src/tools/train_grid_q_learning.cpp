@@ -48,12 +48,10 @@ std::string csvOf(const std::vector<std::string>& set_names, const std::vector<G
   return text.str();
 }
 
-std::string script(const std::string& csv_path, const std::string& png_path,
-                   const std::vector<std::string>& set_names) {
+std::string script(const std::string& csv_path, const std::vector<std::string>& set_names) {
   const std::string file = quotedForGnuplot(csv_path);
   std::ostringstream text;
-  text << "set terminal pngcairo size 900,800; set output " << quotedForGnuplot(png_path)
-       << "; set datafile separator ','; set grid; set xlabel 'steps [million]'; set multiplot layout 2,1; "
+  text << "set datafile separator ','; set grid; set xlabel 'steps [million]'; set multiplot layout 2,1; "
        << "set key outside right; set ylabel 'arrival [%]'; set yrange [0:100]; "
        << "plot " << file << " skip 1 using ($2/1e6):($4*100) title 'training' with lines dt 2 lc 'gray40'";
   for (std::size_t i = 0; i < set_names.size(); ++i) {
@@ -89,8 +87,7 @@ void writeGridCurve(const std::string& png_path, const std::vector<std::string>&
                     const std::vector<GridCurvePoint>& points) {
   const std::string csv_path = csvPathBeside(png_path);
   writeTextFile(csv_path, csvOf(set_names, points));
-  runGnuplot("learning curve", png_path, csv_path,
-             [&](const std::string& path) { return script(csv_path, path, set_names); });
+  runGnuplot("learning curve", png_path, csv_path, "900,800", script(csv_path, set_names));
 }
 
 class GridQLearningHost : public GridTrainingHost {

@@ -43,13 +43,12 @@ void writeCsv(std::ostream& file, const ConfusionMatrix& confusion, const std::v
 }
 
 /// Cells coloured by their share of the row, with share and count written on them. One line, as gnuplot's -e wants it.
-std::string gnuplotScript(const std::string& png_path, const ConfusionMatrix& confusion,
-                          const std::vector<std::string>& names) {
+std::string gnuplotScript(const ConfusionMatrix& confusion, const std::vector<std::string>& names) {
   std::ostringstream script;
   script << std::fixed << std::setprecision(4);
   const Eigen::Index classes = confusion.rows();
-  script << "set terminal pngcairo size 720,640; set output " << quotedForGnuplot(png_path) << "; unset key; "
-         << "unset colorbox; set xrange [-0.5:" << classes << "-0.5]; set yrange [" << classes << "-0.5:-0.5]; "
+  script << "unset key; unset colorbox; set xrange [-0.5:" << classes << "-0.5]; set yrange [" << classes
+         << "-0.5:-0.5]; "
          << "set xlabel 'answer'; set ylabel 'label'; set tics scale 0; set title 'accuracy "
          << percent(share(confusion.trace(), confusion.sum())) << " %, balanced "
          << percent(balancedAccuracy(confusion)) << " %'; ";
@@ -142,8 +141,7 @@ void writeConfusion(const std::string& png_path, const ConfusionMatrix& confusio
   requireNames(confusion, names);
   const std::string csv_path = csvPathBeside(png_path);
   writeOutputFile("confusion matrix", csv_path, [&](std::ostream& file) { writeCsv(file, confusion, names); });
-  runGnuplot("confusion matrix", png_path, csv_path,
-             [&](const std::string& path) { return gnuplotScript(path, confusion, names); });
+  runGnuplot("confusion matrix", png_path, csv_path, "720,640", gnuplotScript(confusion, names));
 }
 
 }  // namespace lstm_planner

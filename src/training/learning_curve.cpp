@@ -27,8 +27,7 @@ int bestEpoch(const std::vector<EpochReport>& curve) {
 }
 
 /// One line, as gnuplot's -e wants it.
-std::string gnuplotScript(const std::string& csv_path, const std::string& png_path,
-                          const std::vector<EpochReport>& curve) {
+std::string gnuplotScript(const std::string& csv_path, const std::vector<EpochReport>& curve) {
   const std::string csv = quotedForGnuplot(csv_path);
   std::ostringstream script;
   const auto plot = [&](const char* label, int training_column, int averaged_column, const char* scale) {
@@ -45,9 +44,7 @@ std::string gnuplotScript(const std::string& csv_path, const std::string& png_pa
     }
     script << "; ";
   };
-  script << "set terminal pngcairo size 900,800; "
-         << "set output " << quotedForGnuplot(png_path) << "; "
-         << "set datafile separator ','; set key autotitle columnhead; set grid; set xlabel 'epoch'; "
+  script << "set datafile separator ','; set key autotitle columnhead; set grid; set xlabel 'epoch'; "
          << "set xrange [0:" << curve.back().epoch + 1 << "]; "
          << "set multiplot layout 2,1; ";
   const int best = bestEpoch(curve);
@@ -91,8 +88,7 @@ void writeLearningCurve(const std::string& png_path, const std::vector<EpochRepo
   const std::string csv_path = csvPathBeside(png_path);
   writeLearningCurveCsv(csv_path, curve);
   if (curve.empty()) throw std::runtime_error("learning curve '" + png_path + "' has no epochs, expected at least one");
-  runGnuplot("learning curve", png_path, csv_path,
-             [&](const std::string& path) { return gnuplotScript(csv_path, path, curve); });
+  runGnuplot("learning curve", png_path, csv_path, "900,800", gnuplotScript(csv_path, curve));
 }
 
 }  // namespace lstm_planner

@@ -26,20 +26,16 @@ void drawCurves(const std::string& folder, const std::vector<MemoryOutcome>& out
     csv.endRow();
   }
   writeOutputFile("sensitivity", file, [&](std::ostream& out) { out << text.str(); });
-  runGnuplot("sensitivity", folder + "/sensitivity.png", file, [&](const std::string& path) {
-    std::ostringstream plot;
-    plot << "set terminal pngcairo size 1100,600; set datafile separator ','; set grid; set logscale y; set format y "
-            "'10^{%L}'; set xlabel 'steps after the first'; set ylabel 'sensitivity to the first input, relative'; set "
-            "key outside right center; set output "
-         << quotedForGnuplot(path) << "; plot ";
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      const MemoryOutcome& outcome = outcomes[i / 2];
-      plot << (i > 0 ? ", " : "") << quotedForGnuplot(file) << " skip 1 using 1:" << i + 2 << " with lines lw 2 lc "
-           << i / 2 + 1 << (i % 2 == 0 ? " dt 2" : "") << " title "
-           << quotedForGnuplot(outcome.network.name + (i % 2 == 0 ? ", initial weights" : ", trained"));
-    }
-    return plot.str();
-  });
+  std::ostringstream plot;
+  plot << "set datafile separator ','; set grid; set logscale y; set format y '10^{%L}'; set xlabel 'steps after the "
+          "first'; set ylabel 'sensitivity to the first input, relative'; set key outside right center; plot ";
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const MemoryOutcome& outcome = outcomes[i / 2];
+    plot << (i > 0 ? ", " : "") << quotedForGnuplot(file) << " skip 1 using 1:" << i + 2 << " with lines lw 2 lc "
+         << i / 2 + 1 << (i % 2 == 0 ? " dt 2" : "") << " title "
+         << quotedForGnuplot(outcome.network.name + (i % 2 == 0 ? ", initial weights" : ", trained"));
+  }
+  runGnuplot("sensitivity", folder + "/sensitivity.png", file, "1100,600", plot.str());
 }
 
 /// Writes the units' sensitivities as shares of the highest: a line a unit, a column a step.
@@ -60,19 +56,17 @@ void drawShades(const std::string& folder, const MemoryOutcome& outcome) {
   const std::string stem = folder + "/" + outcome.network.figure;
   const std::string before = writeShades(stem + "_initial.csv", outcome.before);
   const std::string after = writeShades(stem + "_trained.csv", outcome.after);
+  const auto panel = [&](const char* what, const std::string& csv) {
+    return "; set title " + quotedForGnuplot(outcome.network.name + ", " + what) + "; plot " + quotedForGnuplot(csv) +
+           " matrix with image notitle";
+  };
   std::ostringstream script;
-  script << "set terminal pngcairo size 900,600; set datafile separator ','; set palette defined (0 'white', 1 "
-            "'black'); set cbrange [0:1]; set xlabel 'steps after the first'; set ylabel 'unit'; set xrange [-0.5:"
+  script << "set datafile separator ','; set palette defined (0 'white', 1 'black'); set cbrange [0:1]; set xlabel "
+            "'steps after the first'; set ylabel 'unit'; set xrange [-0.5:"
          << static_cast<double>(outcome.after.cols()) - 0.5
-         << "]; set yrange [-0.5:" << static_cast<double>(outcome.after.rows()) - 0.5 << "]; ";
-  runGnuplot("sensitivity of units", stem + ".png", after, [&](const std::string& path) {
-    const auto panel = [&](const char* what, const std::string& csv) {
-      return "; set title " + quotedForGnuplot(outcome.network.name + ", " + what) + "; plot " + quotedForGnuplot(csv) +
-             " matrix with image notitle";
-    };
-    return script.str() + "set output " + quotedForGnuplot(path) + "; set multiplot layout 2,1" +
-           panel("initial weights", before) + panel("trained", after) + "; unset multiplot";
-  });
+         << "]; set yrange [-0.5:" << static_cast<double>(outcome.after.rows()) - 0.5 << "]; set multiplot layout 2,1"
+         << panel("initial weights", before) << panel("trained", after) << "; unset multiplot";
+  runGnuplot("sensitivity of units", stem + ".png", after, "900,600", script.str());
 }
 
 }  // namespace

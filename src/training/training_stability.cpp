@@ -46,12 +46,10 @@ void writeRows(const std::vector<EpochAccuracies>& epochs, std::ostream* file) {
 }
 
 /// One line, as gnuplot's -e wants it.
-std::string gnuplotScript(const std::string& csv_path, const std::string& png_path,
-                          const std::vector<EpochAccuracies>& epochs) {
+std::string gnuplotScript(const std::string& csv_path, const std::vector<EpochAccuracies>& epochs) {
   const std::string file = quotedForGnuplot(csv_path) + " skip 1 using 1:($";
   std::ostringstream script;
-  script << "set terminal pngcairo size 1000,900; set output " << quotedForGnuplot(png_path)
-         << "; set datafile separator ','; set grid; set xlabel 'epoch'; set ylabel 'accuracy [%]'; set xrange [0:"
+  script << "set datafile separator ','; set grid; set xlabel 'epoch'; set ylabel 'accuracy [%]'; set xrange [0:"
          << epochs.back().epoch + 1 << "]; set key tmargin center; set multiplot layout 2,1; "
          << "set title 'training set'; plot " << file
          << "2*100) with lines lc rgb '#e69f00' title 'mean over batches while the weights move (Eq. 4.5)', " << file
@@ -150,8 +148,7 @@ void writeStability(const std::string& png_path, const std::vector<EpochAccuraci
   if (epochs.empty()) throw std::runtime_error("stability '" + png_path + "' has no epochs, expected at least one");
   const std::string csv_path = csvPathBeside(png_path);
   writeOutputFile("stability", csv_path, [&](std::ostream& file) { writeRows(epochs, &file); });
-  runGnuplot("stability", png_path, csv_path,
-             [&](const std::string& path) { return gnuplotScript(csv_path, path, epochs); });
+  runGnuplot("stability", png_path, csv_path, "1000,900", gnuplotScript(csv_path, epochs));
 }
 
 }  // namespace lstm_planner

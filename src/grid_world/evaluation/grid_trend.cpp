@@ -57,13 +57,11 @@ std::string successTrendCsv(const GridComparison& comparison, std::size_t set) {
 
 namespace {
 
-std::string scriptOf(const GridComparison& comparison, std::size_t set, const std::string& csv_path,
-                     const std::string& png_path) {
+std::string scriptOf(const GridComparison& comparison, std::size_t set, const std::string& csv_path) {
   const GridTaskSet& tasks = comparison.sets[set];
   const std::string csv = quotedForGnuplot(csv_path);
   std::ostringstream script;
-  script << "set terminal pngcairo size 900,560 noenhanced; set output " << quotedForGnuplot(png_path)
-         << "; set datafile separator ';'; set datafile missing ''; set grid; set key outside right top; "
+  script << "set datafile separator ';'; set datafile missing ''; set grid; set key outside right top; "
          << "set title " << quotedForGnuplot("Success in " + tasks.name) << "; "
          << "set xlabel 'longest optimal length of the scenarios [cells]'; set ylabel 'success [%]'; "
          << "set yrange [0:105]; set xrange [0:*]; plot ";
@@ -84,8 +82,7 @@ std::string scriptOf(const GridComparison& comparison, std::size_t set, const st
 
 void drawSuccessTrend(const GridComparison& comparison, std::size_t set, const std::string& csv_path,
                       const std::string& png_path) {
-  runGnuplot("success trend", png_path, csv_path,
-             [&](const std::string& path) { return scriptOf(comparison, set, csv_path, path); });
+  runGnuplot("success trend", png_path, csv_path, "900,560 noenhanced", scriptOf(comparison, set, csv_path));
 }
 
 }  // namespace lstm_planner
