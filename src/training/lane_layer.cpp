@@ -106,15 +106,13 @@ class RecurrentLanes : public LaneLayer {
     clearLane(lane, previousOutputs(step));
   }
 
-  void carryOver(int steps) override {
-    std::copy_n(previousOutputs(steps), outputs_ * lanes_, previousOutputs(0));
+  void reset() override {
+    std::fill_n(previousOutputs(0), outputs_ * lanes_, 0.0f);
     forgotten_.clear();
   }
 
-  int stateRows() const override { return outputs_; }
-  void readState(float* state) const override { std::copy_n(previous_outputs_.data(), outputs_ * lanes_, state); }
-  void writeState(const float* state) override {
-    std::copy_n(state, outputs_ * lanes_, previousOutputs(0));
+  void carryOver(int steps) override {
+    std::copy_n(previousOutputs(steps), outputs_ * lanes_, previousOutputs(0));
     forgotten_.clear();
   }
 
@@ -182,18 +180,13 @@ class LstmLanes : public RecurrentLanes {
     RecurrentLanes::forget(step, lane);
     clearLane(lane, cells(step));
   }
+  void reset() override {
+    RecurrentLanes::reset();
+    std::fill_n(cells(0), outputs_ * lanes_, 0.0f);
+  }
   void carryOver(int steps) override {
     RecurrentLanes::carryOver(steps);
     std::copy_n(cells(steps), outputs_ * lanes_, cells(0));
-  }
-  int stateRows() const override { return 2 * outputs_; }
-  void readState(float* state) const override {
-    RecurrentLanes::readState(state);
-    std::copy_n(cells_.data(), outputs_ * lanes_, state + outputs_ * lanes_);
-  }
-  void writeState(const float* state) override {
-    RecurrentLanes::writeState(state);
-    std::copy_n(state + outputs_ * lanes_, outputs_ * lanes_, cells(0));
   }
 
  protected:

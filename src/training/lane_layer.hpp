@@ -32,10 +32,8 @@ class LaneLayer {
     laneKernels().accumulateBiasGradient(sums(0), units_, steps, gradient + units_ * inputs_, lanes_);
   }
   virtual void forget(int /*step*/, int /*lane*/) {}
+  virtual void reset() {}
   virtual void carryOver(int /*steps*/) {}
-  virtual int stateRows() const { return 0; }
-  virtual void readState(float* /*state*/) const {}
-  virtual void writeState(const float* /*state*/) {}
 
   const float* results(int step) const { return results_.data() + at(step, outputs_); }
   float* resultGradient() { return result_gradients_.data(); }

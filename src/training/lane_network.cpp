@@ -45,31 +45,11 @@ void LaneNetwork::forget(int step, int lane) {
 }
 
 void LaneNetwork::reset() {
-  std::vector<float> zero = state();
-  std::fill(zero.begin(), zero.end(), 0.0f);
-  setState(zero);
+  for (const auto& layer : layers_) layer->reset();
 }
 
 void LaneNetwork::carryOver(int steps) {
   for (const auto& layer : layers_) layer->carryOver(steps);
-}
-
-std::vector<float> LaneNetwork::state() const {
-  std::vector<float> state;
-  for (const auto& layer : layers_) {
-    const std::size_t first = state.size();
-    state.resize(first + static_cast<std::size_t>(layer->stateRows() * lanes_));
-    layer->readState(state.data() + first);
-  }
-  return state;
-}
-
-void LaneNetwork::setState(const std::vector<float>& state) {
-  const float* own = state.data();
-  for (const auto& layer : layers_) {
-    layer->writeState(own);
-    own += layer->stateRows() * lanes_;
-  }
 }
 
 void LaneNetwork::backward(const Eigen::VectorXf& parameters, int steps, Eigen::VectorXf& gradient) {

@@ -48,10 +48,6 @@ class LaneNetwork {
   /// The state after step `steps - 1` becomes that before step 0, for the next window.
   void carryOver(int steps);
 
-  /// The hidden state before step 0, to be taken to another window and put back.
-  std::vector<float> state() const;
-  void setState(const std::vector<float>& state);
-
   /// The rows of the error's derivative by the outputs, to be filled before backward().
   float* outputGradient(int step) { return output_gradient_.data() + offset(step, output_size_); }
 

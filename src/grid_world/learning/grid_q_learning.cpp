@@ -16,46 +16,6 @@ namespace {
 /// Updates between replacements of one of the course's goals.
 constexpr int kRenewalInterval = 8;
 
-/// Tiles of agents that learn together.
-class QTiles {
- public:
-  QTiles(const GridQLearningParameters& parameters, const LayerStack& layers)
-      : parameters_(parameters), exchange_(parameters.communicator, parameters.threads) {
-    for (int thread = 0; thread < parameters.threads; ++thread) runners_.emplace_back(parameters, layers);
-  }
-
-  /// New agents on a course, rounded up to whole tiles.
-  void start(const GridCourse& course, std::uint64_t seed) {
-    Random seeds(seed);
-    tiles_.clear();
-    tiles_.resize(static_cast<std::size_t>((parameters_.agents + QTile::kActors - 1) / QTile::kActors));
-    for (QTile& tile : tiles_) {
-      for (int actor = 0; actor < QTile::kActors; ++actor) tile.actors.emplace_back(course, seeds());
-    }
-  }
-
-  /// A window of all agents, and the sum of the gradients.
-  QSums run(const QLearner& learner, double epsilon, Eigen::VectorXf* gradient) {
-    const int count = static_cast<int>(tiles_.size());
-    const auto work = [&](int tile, int thread) {
-      return runners_[static_cast<std::size_t>(thread)].run(learner.weights(), learner.targetWeights(), epsilon,
-                                                            &tiles_[static_cast<std::size_t>(tile)]);
-    };
-    QSums all;
-    for (const QSums& sums : exchange_.each(count, QSums(), work)) all += sums;
-    *gradient = exchange_.sumOf(count, learner.weights().size(), [&](int tile) -> const Eigen::VectorXf& {
-      return tiles_[static_cast<std::size_t>(tile)].gradient;
-    });
-    return all;
-  }
-
- private:
-  const GridQLearningParameters& parameters_;
-  TileExchange exchange_;
-  std::vector<QTileRunner> runners_;  ///< one a thread
-  std::vector<QTile> tiles_;
-};
-
 class GridQLearningOnMaps final : public GridQLearning {
  public:
   GridQLearningOnMaps(const GridQLearningParameters& parameters, std::vector<GridCourse::Set> maps, LayerStack layers)
@@ -63,7 +23,7 @@ class GridQLearningOnMaps final : public GridQLearning {
         maps_(std::move(maps)),
         layers_(std::move(layers)),
         learner_(parameters, parameters.updates, layers_),
-        tiles_(parameters_, layers_) {}
+        exchange_(parameters.communicator, parameters.threads) {}
 
   int epoch() const override { return epoch_; }
   double progress() const override { return learner_.progress(); }
@@ -116,14 +76,25 @@ class GridQLearningOnMaps final : public GridQLearning {
   void startEpoch() {
     const auto epoch = static_cast<std::uint64_t>(epoch_);
     course_.emplace(parameters_.course, maps_, parameters_.seed + epoch, parameters_.threads);
-    tiles_.start(*course_, parameters_.seed * 1000003 + epoch);
+    Random seeds(parameters_.seed * 1000003 + epoch);
+    tiles_.clear();
+    for (int agents = 0; agents < parameters_.agents; agents += QTile::kActors) {
+      tiles_.emplace_back(parameters_, layers_, *course_, &seeds);
+    }
   }
 
   void update() {
     learner_.startUpdate();
     epsilon_ = learner_.epsilon();
-    Eigen::VectorXf gradient;
-    const QSums sums = tiles_.run(learner_, epsilon_, &gradient);
+    const int count = static_cast<int>(tiles_.size());
+    const auto work = [&](int tile, int /*thread*/) {
+      return tiles_[static_cast<std::size_t>(tile)].run(learner_.weights(), learner_.targetWeights(), epsilon_);
+    };
+    QSums sums;
+    for (const QSums& some : exchange_.each(count, QSums(), work)) sums += some;
+    const Eigen::VectorXf gradient = exchange_.sumOf(
+        count, learner_.weights().size(),
+        [&](int tile) -> const Eigen::VectorXf& { return tiles_[static_cast<std::size_t>(tile)].gradient(); });
     learner_.update(gradient / static_cast<float>(sums.values.steps));
     learner_.finishUpdate(sums.values.steps);
     sums_ += sums;
@@ -133,8 +104,9 @@ class GridQLearningOnMaps final : public GridQLearning {
   std::vector<GridCourse::Set> maps_;
   mutable LayerStack layers_;  ///< get their weights when they are asked for
   QLearner learner_;
-  QTiles tiles_;
+  TileExchange exchange_;
   std::optional<GridCourse> course_;  ///< of the epoch that goes on
+  std::vector<QTile> tiles_;          ///< of the same
   int epoch_ = 0;
   bool epoch_done_ = false;  ///< by the last step
   QSums sums_;
@@ -156,6 +128,7 @@ std::unique_ptr<GridQLearning> makeGridQLearning(const GridQLearningParameters& 
                                                  std::vector<GridCourse::Set> maps, LayerStack layers) {
   validate(parameters);
   checkGridNetwork(layers);
+  LaneNetwork(layers, QTile::kActors, 1);  // throws
   return std::make_unique<GridQLearningOnMaps>(parameters, std::move(maps), std::move(layers));
 }
 

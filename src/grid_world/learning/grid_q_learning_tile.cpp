@@ -36,56 +36,52 @@ std::vector<double*> numbersOf(QSums* sums) {
   return all;
 }
 
-QTileRunner::QTileRunner(const GridQLearningParameters& parameters, const LayerStack& layers)
+QTile::QTile(const GridQLearningParameters& parameters, const LayerStack& layers, const GridCourse& course,
+             Random* seeds)
     : parameters_(parameters),
-      network_(layers, QTile::kActors, parameters.window + 1),
-      target_network_(layers, QTile::kActors, 1),
-      windows_(QTile::kActors, std::vector<QTransition>(static_cast<std::size_t>(parameters.window + 1))) {}
+      network_(layers, kActors, parameters.window + 1),
+      target_network_(layers, kActors, 1),
+      windows_(kActors, std::vector<QTransition>(static_cast<std::size_t>(parameters.window + 1))) {
+  for (int actor = 0; actor < kActors; ++actor) actors_.emplace_back(course, (*seeds)());
+}
 
-QSums QTileRunner::run(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights, double epsilon,
-                       QTile* tile) {
+QSums QTile::run(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights, double epsilon) {
   sums_ = {};
-  tile->gradient.setZero(weights.size());
-  tile->state.resize(network_.state().size(), 0.0f);
-  tile->target_state.resize(tile->state.size(), 0.0f);
-  network_.setState(tile->state);
-  target_network_.setState(tile->target_state);
+  gradient_.setZero(weights.size());
   // The state after the window is looked at too, for its value; the next window starts with it.
   for (int step = 0; step <= parameters_.window; ++step) {
-    observe(step, tile);
+    observe(step);
     network_.forward(weights, step);
     target_network_.forward(target_weights, 0);
-    for (int actor = 0; actor < QTile::kActors; ++actor) {
-      GridActor& walker = tile->actors[static_cast<std::size_t>(actor)];
-      valueState(step, actor, walker);
-      if (step < parameters_.window) move(step, actor, epsilon, &walker);
+    for (int actor = 0; actor < kActors; ++actor) {
+      valueState(step, actor);
+      if (step < parameters_.window) move(step, actor, epsilon);
     }
     if (step < parameters_.window) target_network_.carryOver(1);
   }
-  tile->target_state = target_network_.state();
-  for (int actor = 0; actor < QTile::kActors; ++actor) judge(actor);
-  network_.backward(weights, parameters_.window, tile->gradient);
+  for (int actor = 0; actor < kActors; ++actor) judge(actor);
+  network_.backward(weights, parameters_.window, gradient_);
   network_.carryOver(parameters_.window);
-  tile->state = network_.state();
   return sums_;
 }
 
-void QTileRunner::observe(int step, QTile* tile) {
-  for (int actor = 0; actor < QTile::kActors; ++actor) {
-    GridActor& walker = tile->actors[static_cast<std::size_t>(actor)];
-    if (step > 0 || !tile->observed) walker.observe();
+void QTile::observe(int step) {
+  for (int actor = 0; actor < kActors; ++actor) {
+    GridActor& walker = actors_[static_cast<std::size_t>(actor)];
+    if (step > 0 || !observed_) walker.observe();
     if (walker.atStart()) {
       network_.forget(step, actor);
       target_network_.forget(0, actor);
     }
-    encodeGrid(walker.observation(), walker.previousDirection(), network_.inputs(step) + actor, QTile::kActors);
+    encodeGrid(walker.observation(), walker.previousDirection(), network_.inputs(step) + actor, kActors);
   }
   std::copy_n(network_.inputs(step), network_.inputSize() * network_.lanes(), target_network_.inputs(0));
-  tile->observed = true;
+  observed_ = true;
 }
 
 /// Fills in the best move and the value of the state in which a step starts.
-void QTileRunner::valueState(int step, int actor, const GridActor& walker) {
+void QTile::valueState(int step, int actor) {
+  const GridActor& walker = actors_[static_cast<std::size_t>(actor)];
   const auto best = [&](const float* outputs) {
     int direction = -1;
     for (int candidate = 0; candidate < kGridMoveCount; ++candidate) {
@@ -103,14 +99,15 @@ void QTileRunner::valueState(int step, int actor, const GridActor& walker) {
   transition.value = parameters_.value_scale * static_cast<double>(target_outputs[outputAt(actor, chosen)]);
 }
 
-void QTileRunner::move(int step, int actor, double epsilon, GridActor* walker) {
+void QTile::move(int step, int actor, double epsilon) {
+  GridActor& walker = actors_[static_cast<std::size_t>(actor)];
   QTransition& transition = windows_[static_cast<std::size_t>(actor)][static_cast<std::size_t>(step)];
   const int best = transition.direction;
-  if (uniform(walker->random()) < epsilon) transition.direction = randomMove(*walker);
+  if (uniform(walker.random()) < epsilon) transition.direction = randomMove(walker);
   transition.greedy = transition.direction == best;
   transition.estimate =
       parameters_.value_scale * static_cast<double>(network_.outputs(step)[outputAt(actor, transition.direction)]);
-  const GridActor::Outcome outcome = walker->step(transition.direction, parameters_);
+  const GridActor::Outcome outcome = walker.step(transition.direction, parameters_);
   transition.reward = outcome.reward;
   transition.arrived = outcome.arrived;
   transition.timed_out = outcome.timed_out;
@@ -118,7 +115,7 @@ void QTileRunner::move(int step, int actor, double epsilon, GridActor* walker) {
 }
 
 /// From the targets of one agent's steps, the derivatives by the network's outputs.
-void QTileRunner::judge(int actor) {
+void QTile::judge(int actor) {
   const std::vector<QTransition>& window = windows_[static_cast<std::size_t>(actor)];
   const std::vector<double> targets = lambdaTargets(window, parameters_.discount, parameters_.trace_decay);
   for (int step = 0; step < parameters_.window; ++step) {

@@ -19,36 +19,32 @@ struct QSums {
 };
 std::vector<double*> numbersOf(QSums* sums);
 
-/// Agents that go through a window together, and what they carry from one window to the next.
-struct QTile {
+/// Agents that go through one window after the other together: what one thread works on.
+class QTile {
+ public:
   static constexpr int kActors = 64;  ///< each in a lane of the network; the rows of a step stay in the first cache
 
-  std::vector<GridActor> actors;
-  std::vector<float> state;         ///< hidden
-  std::vector<float> target_state;  ///< hidden, of the target network
-  bool observed = false;            ///< whether the agents have sensed where they are
-  Eigen::VectorXf gradient;         ///< sum over the window's steps
-};
+  /// New agents. `parameters` and `course` must outlive the tile.
+  QTile(const GridQLearningParameters& parameters, const LayerStack& layers, const GridCourse& course, Random* seeds);
 
-/// Leads tiles of agents through a window, and works out the gradient. One a thread.
-class QTileRunner {
- public:
-  /// `parameters` must outlive the runner.
-  QTileRunner(const GridQLearningParameters& parameters, const LayerStack& layers);
-
-  QSums run(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights, double epsilon, QTile* tile);
+  /// Leads the agents through a window, and works out the gradient.
+  QSums run(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights, double epsilon);
+  const Eigen::VectorXf& gradient() const { return gradient_; }  ///< sum over the window's steps
 
  private:
-  void observe(int step, QTile* tile);
-  void valueState(int step, int actor, const GridActor& walker);
-  void move(int step, int actor, double epsilon, GridActor* walker);
+  void observe(int step);
+  void valueState(int step, int actor);
+  void move(int step, int actor, double epsilon);
   void judge(int actor);
 
   const GridQLearningParameters& parameters_;
+  std::vector<GridActor> actors_;
+  bool observed_ = false;  ///< whether the agents have sensed where they are
   LaneNetwork network_;
   LaneNetwork target_network_;                     ///< one step long: nothing goes back through it
   std::vector<std::vector<QTransition>> windows_;  ///< of each agent; one step more, of which only the value counts
   QSums sums_;                                     ///< of the window
+  Eigen::VectorXf gradient_;
 };
 
 }  // namespace lstm_planner

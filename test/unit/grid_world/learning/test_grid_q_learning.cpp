@@ -75,27 +75,13 @@ LayerStack smallNetwork() {
 constexpr double kBestMoves = 0.0;
 constexpr double kRandomMoves = 1.0;  ///< which small changes of weights do not change
 
-/// Agents of one tile with networks that do not change.
-class Walk {
- public:
-  Walk(const GridQLearningParameters& parameters, const GridCourse& course)
-      : parameters_(parameters), runner_(parameters_, smallNetwork()) {
-    for (int actor = 0; actor < QTile::kActors; ++actor) {
-      tile_.actors.emplace_back(course, static_cast<std::uint64_t>(actor));
-    }
-  }
-  QSums window(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights, double epsilon) {
-    return runner_.run(weights, target_weights, epsilon, &tile_);
-  }
-  const Eigen::VectorXf& gradient() const { return tile_.gradient; }  ///< of the last window
+/// `parameters` and `course` must outlive it.
+QTile tileOn(const GridQLearningParameters& parameters, const GridCourse& course) {
+  Random seeds(1);
+  return QTile(parameters, smallNetwork(), course, &seeds);
+}
 
- private:
-  GridQLearningParameters parameters_;
-  QTileRunner runner_;
-  QTile tile_;
-};
-
-TEST(QTileRunner, GradientIsTheDerivativeOfTheSquaredErrors) {
+TEST(QTile, GradientIsTheDerivativeOfTheSquaredErrors) {
   const GridCourse course = courseOn(PassableGrid(12, 12, true), 12.0);
   GridQLearningParameters parameters = smallParameters();
   parameters.window = 5;
@@ -104,13 +90,13 @@ TEST(QTileRunner, GradientIsTheDerivativeOfTheSquaredErrors) {
   parameters.huber = 1e6;
   const Eigen::VectorXf target_weights = parameterVector(smallNetwork());
   const Eigen::VectorXf weights = 1.5f * target_weights;
-  Walk walk(parameters, course);
-  walk.window(weights, target_weights, kRandomMoves);
-  const Eigen::VectorXf gradient = walk.gradient();
+  QTile tile = tileOn(parameters, course);
+  tile.run(weights, target_weights, kRandomMoves);
+  const Eigen::VectorXf gradient = tile.gradient();
   const auto errorAt = [&](Eigen::Index index, float change) {
     Eigen::VectorXf moved = weights;
     moved[index] += change;
-    return Walk(parameters, course).window(moved, target_weights, kRandomMoves).values.squared_error;
+    return tileOn(parameters, course).run(moved, target_weights, kRandomMoves).values.squared_error;
   };
   // An error of half a squared value is the squared error of the output times the scale's square.
   const double unit = 2.0 * parameters.value_scale * parameters.value_scale;
@@ -122,15 +108,15 @@ TEST(QTileRunner, GradientIsTheDerivativeOfTheSquaredErrors) {
   }
 }
 
-TEST(QTileRunner, GoesOnInTheNextWindowAsIfItWereOne) {
+TEST(QTile, GoesOnInTheNextWindowAsIfItWereOne) {
   const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestPath);
   GridQLearningParameters parameters = smallParameters();
   const Eigen::VectorXf weights = parameterVector(smallNetwork());
-  const double in_one = Walk(parameters, course).window(weights, weights, kBestMoves).values.value;
+  const double in_one = tileOn(parameters, course).run(weights, weights, kBestMoves).values.value;
   parameters.window = 8;
-  Walk halves(parameters, course);
-  const double first = halves.window(weights, weights, kBestMoves).values.value;
-  const double second = halves.window(weights, weights, kBestMoves).values.value;
+  QTile halves = tileOn(parameters, course);
+  const double first = halves.run(weights, weights, kBestMoves).values.value;
+  const double second = halves.run(weights, weights, kBestMoves).values.value;
   // Only the order of summing differs.
   EXPECT_NEAR(first + second, in_one, 1e-9 * std::abs(in_one));
 }
