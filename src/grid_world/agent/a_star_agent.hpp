@@ -19,7 +19,6 @@ class AStarAgent : public GridAgent {
   /// kNoPath at the goal, too.
   int decide() override;
   GridLeader leader() const override { return GridLeader::kSearch; }
-  void step(int /*direction*/, bool /*moved*/) override {}
   /// The search's nodes and lists, the path, and the map, without which it could not search.
   std::size_t peakBytes() const override { return peak_bytes_; }
   std::size_t expandedCells() const override { return expanded_; }

@@ -20,7 +20,6 @@ class DStarAgent : public GridAgent {
   /// kNoPath at the goal, too.
   int decide() override;
   GridLeader leader() const override { return GridLeader::kSearch; }
-  void step(int /*direction*/, bool /*moved*/) override {}
   std::size_t peakBytes() const override { return search_.peakBytes(); }
   /// States processed by D*.
   std::size_t expandedCells() const override { return search_.processedStates(); }

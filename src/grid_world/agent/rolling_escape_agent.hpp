@@ -14,7 +14,6 @@ class RollingEscapeAgent : public GridAgent {
   void observe(const GridObservation& observation) override { guide_.observe(observation); }
   int decide() override { return guide_.direction(); }
   GridLeader leader() const override { return guide_.leader(); }
-  void step(int /*direction*/, bool /*moved*/) override {}
   std::size_t peakBytes() const override { return sizeof(*this) + guide_.bytes(); }
   std::size_t expandedCells() const override { return guide_.expandedCells(); }
 

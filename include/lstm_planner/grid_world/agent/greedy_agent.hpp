@@ -16,7 +16,6 @@ class GreedyAgent : public GridAgent {
   /// kNoPath when no move is possible.
   int decide() override;
   GridLeader leader() const override { return GridLeader::kGreedy; }
-  void step(int /*direction*/, bool /*moved*/) override {}
   std::size_t peakBytes() const override { return sizeof(*this); }
 
  private:

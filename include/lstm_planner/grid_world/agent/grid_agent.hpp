@@ -60,7 +60,7 @@ class GridAgent {
   virtual bool onPath() const { return false; }
 
   /// What became of the move that was tried: `moved` is false when it ran into an obstacle.
-  virtual void step(int direction, bool moved) = 0;
+  virtual void step(int /*direction*/, bool /*moved*/) {}
 
   /// Memory of the agent itself that an episode needed so far, at its highest: the model's weights, hidden state,
   /// escape, lists and maps of a search. Bytes.

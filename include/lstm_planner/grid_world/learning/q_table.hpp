@@ -68,7 +68,6 @@ class QTableAgent : public GridAgent {
   void observe(const GridObservation& observation) override { cell_ = observation.cell; }
   int decide() override { return table_.bestMove(cell_); }
   GridLeader leader() const override { return GridLeader::kGreedy; }
-  void step(int /*direction*/, bool /*moved*/) override {}
   std::size_t peakBytes() const override { return sizeof(*this) + table_.bytes(); }
 
  private:

@@ -85,7 +85,6 @@ TEST(GridEpisode, WithoutLimitEndsSoonForAnAgentThatRunsInCircles) {
     void observe(const GridObservation& observation) override { east_ = observation.cell.column == 0; }
     int decide() override { return east_ ? kEast : kWest; }
     GridLeader leader() const override { return GridLeader::kGreedy; }
-    void step(int /*direction*/, bool /*moved*/) override {}
     std::size_t peakBytes() const override { return sizeof(*this); }
     bool east_ = true;
   } agent;

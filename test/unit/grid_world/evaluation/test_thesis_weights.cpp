@@ -41,7 +41,6 @@ class AuthorsAgent : public GridAgent {
   }
   int decide() override { return rayBetween({0, 0}, kMoves[static_cast<std::size_t>(move_)]); }
   GridLeader leader() const override { return GridLeader::kNetwork; }
-  void step(int /*direction*/, bool /*moved*/) override {}
   std::size_t peakBytes() const override { return sizeof(*this); }
 
  private:
