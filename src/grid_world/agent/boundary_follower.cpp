@@ -15,7 +15,7 @@ BoundaryFollower::BoundaryFollower(const BoundaryParameters& parameters)
   for (End& end : ends_) end.cells.reserve(kMostCells + 3);
 }
 
-void BoundaryFollower::start() {
+void BoundaryFollower::start(CellIndex /*start*/, CellIndex /*goal*/) {
   started_ = false;
   state_ = State::kGoing;
 }

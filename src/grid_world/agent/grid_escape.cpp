@@ -17,7 +17,6 @@ GridEscape::GridEscape(const GridEscapeParameters& parameters)
 void GridEscape::start() {
   nearest_.clear();
   active_ = false;
-  activations_ = 0;
 }
 
 void GridEscape::observe(const GridObservation& observation, bool new_place) {
@@ -34,9 +33,8 @@ void GridEscape::observe(const GridObservation& observation, bool new_place) {
 
 void GridEscape::takeOver(const GridObservation& observation) {
   active_ = true;
-  ++activations_;
   hand_back_below_ = std::max(0.0, nearest_.best() - parameters_.margin);
-  follower_.start();
+  follower_.start(observation.cell, observation.goal);
   follower_.observe(observation);
 }
 

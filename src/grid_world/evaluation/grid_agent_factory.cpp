@@ -6,10 +6,10 @@
 #include <stdexcept>
 
 #include "grid_world/agent/a_star_agent.hpp"
-#include "grid_world/agent/boundary_agent.hpp"
 #include "grid_world/agent/d_star_agent.hpp"
 #include "grid_world/agent/rolling_escape_agent.hpp"
 #include "lstm_planner/common/words.hpp"
+#include "lstm_planner/grid_world/agent/boundary_follower.hpp"
 #include "lstm_planner/grid_world/agent/greedy_agent.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/network/model_file.hpp"
@@ -31,7 +31,7 @@ GridAgentMaker aStarMaker(const GridAgentOptions& options) {
 GridAgentMaker boundaryMaker(const GridAgentOptions& options) {
   BoundaryParameters parameters;
   parameters.corner_cutting = options.corner_cutting;
-  return [parameters](const PassableGrid& /*grid*/) { return std::make_unique<BoundaryAgent>(parameters); };
+  return [parameters](const PassableGrid& /*grid*/) { return std::make_unique<BoundaryFollower>(parameters); };
 }
 
 GridAgentMaker rollingEscapeMaker(const GridAgentOptions& options) {

@@ -39,20 +39,18 @@ struct BoundaryParameters {
 /// corner cutting: the rule only decides how B runs where two blocked cells touch at a corner (BoundaryEdge), and P
 /// does not cross corners. Coming full circle is exact: the edges seen are one piece of the cycle, and its two ends
 /// meet.
-class BoundaryFollower {
+class BoundaryFollower : public GridAgent {
  public:
   /// Throws std::invalid_argument for a parameter that is negative or not finite.
   explicit BoundaryFollower(const BoundaryParameters& parameters = {});
 
-  /// Forgets everything; the path starts at the next observation.
-  void start();
-
-  void observe(const GridObservation& observation);
-
-  /// The direction to move in, or kNoPath. Not to be asked at the goal.
-  int decide() const { return decision_; }
-
-  std::size_t peakBytes() const;
+  /// The path starts at the next observation.
+  void start(CellIndex start, CellIndex goal) override;
+  void observe(const GridObservation& observation) override;
+  /// Not to be asked at the goal.
+  int decide() override { return decision_; }
+  GridLeader leader() const override { return GridLeader::kBoundary; }
+  std::size_t peakBytes() const override;
 
  private:
   enum class State { kGoing, kLeaving, kFollowing, kReturning };

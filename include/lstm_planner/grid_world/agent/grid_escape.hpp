@@ -45,10 +45,7 @@ class GridEscape {
   bool active() const { return active_; }
 
   /// The direction to move in, or kNoPath when the goal cannot be reached. Only while active.
-  int decide() const { return follower_.decide(); }
-
-  /// How often the escape has taken over since start().
-  std::size_t activations() const { return activations_; }
+  int decide() { return follower_.decide(); }
 
   std::size_t peakBytes() const { return sizeof(*this) - sizeof(follower_) + follower_.peakBytes(); }
 
@@ -59,7 +56,6 @@ class GridEscape {
   int steps_in_known_places_ = 0;  ///< in which the agent got neither nearer to the goal than ever nor to a new place
   double hand_back_below_ = 0.0;   ///< cells to the goal
   bool active_ = false;
-  std::size_t activations_ = 0;
 };
 
 }  // namespace lstm_planner

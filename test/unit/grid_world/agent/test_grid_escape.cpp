@@ -59,7 +59,6 @@ class EscapingAgent : public GridAgent {
   }
   int decide() override { return direction_; }
   GridLeader leader() const override { return escape_.active() ? GridLeader::kBoundary : GridLeader::kGreedy; }
-  void step(int, bool) override {}
   std::size_t peakBytes() const override { return escape_.peakBytes(); }
   const GridEscape& escape() const { return escape_; }
 
@@ -145,7 +144,6 @@ TEST(GridEscape, TakesOverWhenItsPatienceEndsAndHandsBackNearerThanEver) {
     cell = cellBeside(cell, escape.decide());
     observe(cell);
   }
-  EXPECT_EQ(escape.activations(), 1U);
   EXPECT_TRUE(octileDistance(cell, world.goal) < octileDistance({1, 1}, world.goal));
 }
 
@@ -174,7 +172,6 @@ TEST(GridEscape, ForgetsTheEpisodeBefore) {
   escape.start();
   escape.observe({{0, 0}, {9, 0}, {}});
   EXPECT_FALSE(escape.active());
-  EXPECT_EQ(escape.activations(), 0U);
 }
 
 TEST(GridEscape, RefusesParametersThatMakeNoSense) {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "grid_world/agent/boundary_agent.hpp"
 #include "grid_world/agent/rolling_escape_agent.hpp"
 #include "lstm_planner/grid/map_generators.hpp"
+#include "lstm_planner/grid_world/agent/boundary_follower.hpp"
 #include "lstm_planner/grid_world/agent/grid_guide.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 #include "unit/grid_world/agent/small_grids.hpp"
@@ -80,7 +80,7 @@ TEST(GridGuide, WalksFarLessThanBoundaryFollowingInMazesThatTheWindowOfCellsForg
     const Walk walked = walk(world, &agent, CornerCutting::kForbidden, 1000000);
     ASSERT_EQ(walked.end, WalkEnd::kArrived) << "seed " << seed;
     guided += walked.steps;
-    BoundaryAgent boundary;
+    BoundaryFollower boundary;
     along_boundaries += walk(world, &boundary, CornerCutting::kForbidden, 1000000).steps;
   }
   // On the grid benchmark's mazes a third.

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <tuple>
 
-#include "grid_world/agent/boundary_agent.hpp"
+#include "lstm_planner/grid_world/agent/boundary_follower.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 #include "unit/grid_world/agent/small_grids.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
 
-namespace lstm_planner::test_boundary_agent {
+namespace lstm_planner::test_boundary_follower {
 namespace {
 
 struct Legs {
@@ -17,7 +17,7 @@ struct Legs {
   double goal_weight;
 };
 
-class BoundaryAgentIn : public testing::TestWithParam<std::tuple<CornerCutting, Legs>> {
+class BoundaryFollowerIn : public testing::TestWithParam<std::tuple<CornerCutting, Legs>> {
  protected:
   BoundaryParameters parameters() const {
     BoundaryParameters parameters;
@@ -29,8 +29,8 @@ class BoundaryAgentIn : public testing::TestWithParam<std::tuple<CornerCutting, 
   }
 };
 
-TEST_P(BoundaryAgentIn, SmallGridsArrivesOrProvesThatThereIsNoPath) {
-  BoundaryAgent agent(parameters());
+TEST_P(BoundaryFollowerIn, SmallGridsArrivesOrProvesThatThereIsNoPath) {
+  BoundaryFollower agent(parameters());
   int arrived = 0;
   int enclosed = 0;
   for (std::uint32_t seed = 0; seed < 5000; ++seed) {
@@ -46,28 +46,28 @@ TEST_P(BoundaryAgentIn, SmallGridsArrivesOrProvesThatThereIsNoPath) {
   EXPECT_GT(enclosed, 250);
 }
 
-std::string nameOfCase(const testing::TestParamInfo<BoundaryAgentIn::ParamType>& info) {
+std::string nameOfCase(const testing::TestParamInfo<BoundaryFollowerIn::ParamType>& info) {
   const char* const legs[] = {"OneCell", "Growing", "Endless"};
   const bool cuts = std::get<0>(info.param) == CornerCutting::kAllowed;
   return std::string(legs[info.index % 3]) + (cuts ? "CuttingCorners" : "KeepingCorners");
 }
 
 // Legs of one cell turn back as often as can be; legs without end never do.
-INSTANTIATE_TEST_SUITE_P(Legs, BoundaryAgentIn,
+INSTANTIATE_TEST_SUITE_P(Legs, BoundaryFollowerIn,
                          testing::Combine(testing::Values(CornerCutting::kForbidden, CornerCutting::kAllowed),
                                           testing::Values(Legs{1.0, 0.0, 0.0}, Legs{4.0, 1.0, 3.0},
                                                           Legs{1e9, 1.0, 0.0})),
                          nameOfCase);
 
-TEST(BoundaryAgent, GoesStraightWhereNothingIsInTheWay) {
+TEST(BoundaryFollower, GoesStraightWhereNothingIsInTheWay) {
   const SmallGrid world = drawnGrid({"S........", ".........", ".........", "........G"});
-  BoundaryAgent agent;
+  BoundaryFollower agent;
   const Walk walked = walk(world, &agent, CornerCutting::kForbidden, 100);
   EXPECT_EQ(walked.end, WalkEnd::kArrived);
   EXPECT_EQ(walked.steps, 8U);
 }
 
-TEST(BoundaryAgent, LeavesAPocketWithoutComingBack) {
+TEST(BoundaryFollower, LeavesAPocketWithoutComingBack) {
   const SmallGrid world = drawnGrid({
       "..........",
       ".#######..",
@@ -79,40 +79,40 @@ TEST(BoundaryAgent, LeavesAPocketWithoutComingBack) {
   });
   BoundaryParameters parameters;
   parameters.first_leg = 64.0;
-  BoundaryAgent agent(parameters);
+  BoundaryFollower agent(parameters);
   const Walk walked = walk(world, &agent, CornerCutting::kForbidden, 100);
   EXPECT_EQ(walked.end, WalkEnd::kArrived);
   // 6 in, 6 back along the wall, 2 up and 9 to the goal's column, 3 down, and the wall's bends.
   EXPECT_LE(walked.steps, 28U);
 }
 
-TEST(BoundaryAgent, SaysThatAnEnclosedGoalHasNoPath) {
+TEST(BoundaryFollower, SaysThatAnEnclosedGoalHasNoPath) {
   const SmallGrid world = drawnGrid({"......", ".###..", ".#G#.S", ".###..", "......"});
-  BoundaryAgent agent;
+  BoundaryFollower agent;
   EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 100).end, WalkEnd::kNoPath);
 }
 
-TEST(BoundaryAgent, SaysThatItIsEnclosedItself) {
+TEST(BoundaryFollower, SaysThatItIsEnclosedItself) {
   const SmallGrid world = drawnGrid({"S#..", "##..", "...G"});
-  BoundaryAgent agent;
+  BoundaryFollower agent;
   EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 100).end, WalkEnd::kNoPath);
 }
 
-TEST(BoundaryAgent, PassesBetweenCornersOnlyWhereThatIsAllowed) {
+TEST(BoundaryFollower, PassesBetweenCornersOnlyWhereThatIsAllowed) {
   const SmallGrid world = drawnGrid({"S#.", "#..", "..G"});
-  BoundaryAgent agent;
+  BoundaryFollower agent;
   EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 100).end, WalkEnd::kNoPath);
   BoundaryParameters parameters;
   parameters.corner_cutting = CornerCutting::kAllowed;
-  BoundaryAgent cutting(parameters);
+  BoundaryFollower cutting(parameters);
   const Walk walked = walk(world, &cutting, CornerCutting::kAllowed, 100);
   EXPECT_EQ(walked.end, WalkEnd::kArrived);
   EXPECT_EQ(walked.steps, 2U);
 }
 
-TEST(BoundaryAgent, AnswersTheSameWhenAskedTwice) {
+TEST(BoundaryFollower, AnswersTheSameWhenAskedTwice) {
   const SmallGrid world = drawnGrid({"S.#.", "..#G", "...."});
-  BoundaryAgent agent;
+  BoundaryFollower agent;
   agent.start(world.start, world.goal);
   const GridObservation observation = {world.start, world.goal, senseRanges(world.grid, world.start)};
   agent.observe(observation);
@@ -122,7 +122,7 @@ TEST(BoundaryAgent, AnswersTheSameWhenAskedTwice) {
   EXPECT_EQ(agent.decide(), direction);
 }
 
-TEST(BoundaryAgent, StaysSmallInALongMaze) {
+TEST(BoundaryFollower, StaysSmallInALongMaze) {
   // A comb of 400 dead ends, each of which bends the path back.
   PassableGrid grid(801, 40, true);
   for (int column = 1; column < 800; column += 2) {
@@ -131,12 +131,12 @@ TEST(BoundaryAgent, StaysSmallInALongMaze) {
   grid.set({799, 38}, false);
   grid.set({799, 39}, false);
   const SmallGrid world = {grid, {0, 0}, {800, 0}};
-  BoundaryAgent agent;
+  BoundaryFollower agent;
   EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 200000).end, WalkEnd::kNoPath);
   EXPECT_LE(agent.peakBytes(), 6U * 1024U);
 }
 
-TEST(BoundaryAgent, ArrivesWhenTheTrailHasNoRoomForThePathBack) {
+TEST(BoundaryFollower, ArrivesWhenTheTrailHasNoRoomForThePathBack) {
   // The goal is two cells above the start, at the end of a path that first bends 1,600 times and then leads back.
   const int columns = 1601;
   PassableGrid grid(columns, 7, true);
@@ -149,11 +149,11 @@ TEST(BoundaryAgent, ArrivesWhenTheTrailHasNoRoomForThePathBack) {
   BoundaryParameters parameters;
   parameters.first_leg = 4000.0;  // 1,300 bends
   parameters.goal_weight = 0.0;
-  BoundaryAgent agent(parameters);
+  BoundaryFollower agent(parameters);
   const Walk walked = walk(world, &agent, CornerCutting::kForbidden, 1000000);
   EXPECT_EQ(walked.end, WalkEnd::kArrived);
   EXPECT_LE(agent.peakBytes(), 6U * 1024U);
 }
 
 }  // namespace
-}  // namespace lstm_planner::test_boundary_agent
+}  // namespace lstm_planner::test_boundary_follower
