@@ -23,7 +23,7 @@ GridGuide::GridGuide(const GridGuideParameters& parameters)
   checkNotNegative("most_steps_more", parameters.most_steps_more);
 }
 
-void GridGuide::start(CellIndex start) {
+void GridGuide::start(CellIndex start, CellIndex /*goal*/) {
   area_.restart(start);
   last_resort_.start();
   steps_without_path_ = 0;
@@ -68,8 +68,8 @@ bool GridGuide::isStuck() {
   return false;
 }
 
-std::size_t GridGuide::bytes() const {
-  return area_.bytes() - sizeof(area_) + last_resort_.peakBytes() - sizeof(last_resort_);
+std::size_t GridGuide::peakBytes() const {
+  return sizeof(*this) - sizeof(area_) + area_.bytes() - sizeof(last_resort_) + last_resort_.peakBytes();
 }
 
 }  // namespace lstm_planner

@@ -33,8 +33,8 @@ NetworkGridAgent::NetworkGridAgent(const Model& model, const Options& options)
   }
 }
 
-void NetworkGridAgent::start(CellIndex start, CellIndex /*goal*/) {
-  if (guide_) guide_->start(start);
+void NetworkGridAgent::start(CellIndex start, CellIndex goal) {
+  if (guide_) guide_->start(start, goal);
   bound_.start();
   previous_direction_ = kNoPath;
   walked_ = 0.0;
@@ -76,7 +76,7 @@ void NetworkGridAgent::chooseWithinBound(int preferred) {
     return;
   }
   if (has_path) overruled_ = Overruled::kByBound;
-  direction_ = guide_->direction();
+  direction_ = guide_->decide();
   leader_ = guide_->leader();
 }
 
@@ -115,7 +115,7 @@ void NetworkGridAgent::step(int direction, bool moved) {
 
 std::size_t NetworkGridAgent::peakBytes() const {
   const std::size_t network = network_.weights() * sizeof(float) + network_.stateBytes();
-  return sizeof(*this) + (guide_ ? sizeof(*guide_) + guide_->bytes() : 0) + network;
+  return sizeof(*this) + (guide_ ? guide_->peakBytes() : 0) + network;
 }
 
 }  // namespace lstm_planner

@@ -7,10 +7,10 @@
 
 #include "grid_world/agent/a_star_agent.hpp"
 #include "grid_world/agent/d_star_agent.hpp"
-#include "grid_world/agent/rolling_escape_agent.hpp"
 #include "lstm_planner/common/words.hpp"
 #include "lstm_planner/grid_world/agent/boundary_follower.hpp"
 #include "lstm_planner/grid_world/agent/greedy_agent.hpp"
+#include "lstm_planner/grid_world/agent/grid_guide.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/network/model_file.hpp"
 
@@ -37,7 +37,7 @@ GridAgentMaker boundaryMaker(const GridAgentOptions& options) {
 GridAgentMaker rollingEscapeMaker(const GridAgentOptions& options) {
   GridGuideParameters parameters;
   parameters.corner_cutting = options.corner_cutting;
-  return [parameters](const PassableGrid& /*grid*/) { return std::make_unique<RollingEscapeAgent>(parameters); };
+  return [parameters](const PassableGrid& /*grid*/) { return std::make_unique<GridGuide>(parameters); };
 }
 
 GridAgentMaker greedyMaker(const GridAgentOptions& options) {

@@ -24,28 +24,24 @@ struct GridGuideParameters {
 
 /// Knows the way to the goal: the path between what is remembered of the walls (AreaPlanner), which is certain to
 /// arrive only where that memory is right; where it is not, boundary following (GridEscape). So whoever follows it, or
-/// strays from it by a bounded length, arrives wherever there is a path.
-class GridGuide {
+/// strays from it by a bounded length, arrives wherever there is a path. It is an agent by itself: all that the shipped
+/// one has but for its network.
+class GridGuide : public GridAgent {
  public:
   /// Throws std::invalid_argument for parameters out of range.
   explicit GridGuide(const GridGuideParameters& parameters = {});
 
-  /// A new episode.
-  void start(CellIndex start);
-
+  void start(CellIndex start, CellIndex goal) override;
   /// Once before each step, whoever makes it.
-  void observe(const GridObservation& observation);
-
-  /// After observe(): the direction to move in, or kNoPath when the goal cannot be reached.
-  int direction() const { return direction_; }
+  void observe(const GridObservation& observation) override;
+  int decide() override { return direction_; }
   /// kSearch: the remembered path leads; kBoundary; kGreedy where no path is known for a while.
-  GridLeader leader() const { return leader_; }
+  GridLeader leader() const override { return leader_; }
   /// AreaPlanner::regretOf(), where the remembered path leads.
   double regretOf(int direction) { return area_.regretOf(direction); }
 
-  std::size_t expandedCells() const { return area_.expandedCells(); }
-  /// Besides the object itself.
-  std::size_t bytes() const;
+  std::size_t peakBytes() const override;
+  std::size_t expandedCells() const override { return area_.expandedCells(); }
 
  private:
   void followArea(const GridObservation& observation);

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "grid_world/agent/rolling_escape_agent.hpp"
 #include "lstm_planner/grid/map_generators.hpp"
 #include "lstm_planner/grid_world/agent/boundary_follower.hpp"
 #include "lstm_planner/grid_world/agent/grid_guide.hpp"
@@ -25,7 +24,7 @@ TEST_P(GridGuideWith, ArrivesOrProvesThatThereIsNoPathAndNeverCollides) {
     const SmallGrid world = smallGrid(seed);
     const bool reachable = std::isfinite(GridDistances(world.grid, world.goal, GetParam()).at(world.start));
     unreachable += reachable ? 0 : 1;
-    RollingEscapeAgent agent(parameters);
+    GridGuide agent(parameters);
     // Boundary following arrives in 20 steps a cell, and is asked after a few hundred steps.
     const std::size_t most_steps = 10000 + 400 * world.grid.size();
     ASSERT_EQ(walk(world, &agent, GetParam(), most_steps).end, reachable ? WalkEnd::kArrived : WalkEnd::kNoPath)
@@ -57,7 +56,7 @@ SmallGrid longDeadEnd() {
 TEST(GridGuide, LeavesADeadEndLongerThanTheWindowOfCells) {
   const SmallGrid world = longDeadEnd();
   const double optimum = GridDistances(world.grid, world.goal, CornerCutting::kForbidden).at(world.start);
-  RollingEscapeAgent agent({});
+  GridGuide agent;
   const Walk walked = walk(world, &agent, CornerCutting::kForbidden, 100000);
   ASSERT_EQ(walked.end, WalkEnd::kArrived);
   // There is one way out, so little can be lost: boundaries are not followed.
@@ -76,7 +75,7 @@ TEST(GridGuide, WalksFarLessThanBoundaryFollowingInMazesThatTheWindowOfCellsForg
     world.grid = generateMaze(maze, seed);
     world.start = {4, 4};
     world.goal = {393, 393};
-    RollingEscapeAgent agent({});
+    GridGuide agent;
     const Walk walked = walk(world, &agent, CornerCutting::kForbidden, 1000000);
     ASSERT_EQ(walked.end, WalkEnd::kArrived) << "seed " << seed;
     guided += walked.steps;
@@ -89,7 +88,7 @@ TEST(GridGuide, WalksFarLessThanBoundaryFollowingInMazesThatTheWindowOfCellsForg
 
 TEST(GridGuide, NeedsAtMost56KiB) {
   // So that a network of the thesis's size fits beside it into 64 KiB.
-  RollingEscapeAgent agent({});
+  GridGuide agent;
   const SmallGrid world = longDeadEnd();
   ASSERT_EQ(walk(world, &agent, CornerCutting::kForbidden, 100000).end, WalkEnd::kArrived);
   EXPECT_LE(agent.peakBytes(), 56u * 1024u);
