@@ -13,6 +13,7 @@
 #include "lstm_planner/dataset/dataset.hpp"
 #include "lstm_planner/practice/recorded_choices.hpp"
 #include "lstm_planner/training/actor_critic.hpp"
+#include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/label_balance.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
 #include "practice/drive_batch.hpp"
@@ -74,8 +75,9 @@ class PractisingActorCritic final : public DriveActorCritic {
   PractisingActorCritic(const DriveActorCriticParameters& parameters, LayerStack layers)
       : parameters_((validate(parameters), parameters)),
         policy_(sharpened(std::move(layers), parameters.sharpness)),
-        critic_(makeCritic(Encoder(parameters.policy.encoder).size() + kDrivePrivilegedInputs, parameters.critic_units,
-                           parameters.seed + 1)),
+        critic_(initialised(makeDenseStack(Encoder(parameters.policy.encoder).size() + kDrivePrivilegedInputs,
+                                           parameters.critic_units, 1),
+                            parameters.seed + 1)),
         learner_(parameters, parameters.iterations, policy_, critic_, parameters.course.worlds.size()) {
     DrivePolicy(parameters.policy, policy_);  // throws when they do not fit together
   }

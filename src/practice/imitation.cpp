@@ -84,10 +84,9 @@ DriveScore scoreOf(const std::vector<LabelledEpisode>& episodes) {
 }
 
 LayerStack firstLayers(const ImitationParameters& parameters) {
-  LayerStack layers =
-      makeNetwork(Encoder(parameters.policy.encoder).size(), parameters.shape, parameters.policy.actions.size());
-  initialise({}, parameters.seed, layers);
-  return layers;
+  return initialised(
+      makeNetwork(Encoder(parameters.policy.encoder).size(), parameters.shape, parameters.policy.actions.size()),
+      parameters.seed);
 }
 
 ImitationRoundsParameters roundsOf(const ImitationParameters& parameters) {

@@ -168,9 +168,7 @@ LayerStack firstLayers(const GridTrainingOptions& options) {
     }
     return model.layers;
   }
-  LayerStack layers = makeNetwork(kGridInputs, options.shape, kGridMoveCount);
-  initialise({}, options.seed, layers);
-  return layers;
+  return initialised(makeNetwork(kGridInputs, options.shape, kGridMoveCount), options.seed);
 }
 
 GridTrainingMaps loadGridTrainingMaps(const GridTrainingOptions& options) {

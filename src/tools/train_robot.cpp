@@ -138,9 +138,7 @@ LayerStack firstLayers(const std::string& init, const NetworkShape& shape, std::
     return std::move(model.layers);
   }
   const int inputs = static_cast<int>(policy->encoder.input_layout.size());
-  LayerStack layers = makeNetwork(inputs, shape, networkOutputs(*policy));
-  initialise({}, seed, layers);
-  return layers;
+  return initialised(makeNetwork(inputs, shape, networkOutputs(*policy)), seed);
 }
 
 void writeRobotModel(const RobotTrainingOptions& options, const PolicyDescription& policy, const LayerStack& layers,

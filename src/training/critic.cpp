@@ -2,15 +2,7 @@
 
 #include <algorithm>
 
-#include "lstm_planner/training/initialisation.hpp"
-
 namespace lstm_planner {
-
-LayerStack makeCritic(int inputs, const std::vector<int>& units, std::uint64_t seed) {
-  LayerStack layers = makeDenseStack(inputs, units, 1);
-  initialise({}, seed, layers);
-  return layers;
-}
 
 void CriticSums::count(std::size_t set, double value, double advantage) {
   const double result = value + advantage;

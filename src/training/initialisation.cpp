@@ -70,7 +70,7 @@ void appendDense(const std::vector<int>& units, Activation activation, int* widt
 
 }  // namespace
 
-void initialise(const InitialisationParameters& parameters, std::uint64_t seed, LayerStack& layers) {
+LayerStack initialised(LayerStack layers, std::uint64_t seed, const InitialisationParameters& parameters) {
   if (!std::isfinite(parameters.range) || parameters.range <= 0.0) {
     throw std::invalid_argument("range of the initial weights is " + std::to_string(parameters.range) +
                                 ", expected a positive number");
@@ -95,6 +95,7 @@ void initialise(const InitialisationParameters& parameters, std::uint64_t seed, 
       dense->bias.setZero();
     }
   }
+  return layers;
 }
 
 LayerStack makeLstmStack(int inputs, const std::vector<int>& cells, int outputs, Activation candidate) {

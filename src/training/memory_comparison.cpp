@@ -23,9 +23,7 @@ constexpr int kSymbols = 2;
 constexpr std::uint64_t kTestSeed = 1000;
 
 LayerStack startOf(const MemoryNetwork& network, std::uint64_t seed) {
-  LayerStack layers = makeNetwork(kSymbolInputs, network.shape, kSymbols);
-  initialise(network.start, seed, layers);
-  return layers;
+  return initialised(makeNetwork(kSymbolInputs, network.shape, kSymbols), seed, network.start);
 }
 
 LayerStack trained(const MemoryComparisonParameters& parameters, const MemoryNetwork& network, int delay,

@@ -15,9 +15,7 @@ namespace lstm_planner {
 
 /// Untrained: what a step costs does not depend on the weights.
 inline LayerStack benchLstm(int inputs, const std::vector<int>& cells, int outputs) {
-  LayerStack layers = makeLstmStack(inputs, cells, outputs);
-  initialise({}, 1, layers);
-  return layers;
+  return initialised(makeLstmStack(inputs, cells, outputs), 1);
 }
 
 /// One map of each kind that the thesis judges by, of the benchmark's size.

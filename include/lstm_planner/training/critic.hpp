@@ -1,15 +1,9 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
-#include "lstm_planner/network/layers.hpp"
-
 namespace lstm_planner {
-
-/// A new critic: dense layers from `inputs`, which are the policy's and the privileged ones, to one value.
-LayerStack makeCritic(int inputs, const std::vector<int>& units, std::uint64_t seed);
 
 /// What is added up over the steps that a critic has judged: how well it foresees the returns, and how much the
 /// advantages vary in each set of the course.

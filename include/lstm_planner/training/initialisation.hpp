@@ -21,9 +21,9 @@ struct InitialisationParameters {
       1.0;  ///< LSTM cells that start open remember over long spans (Jozefowicz et al., ICML 2015)
 };
 
-/// Gives every layer random weights; the same seed gives the same weights on every machine.
+/// These layers with random weights; the same seed gives the same weights on every machine.
 /// Throws std::invalid_argument for a range that is not positive and finite or a bias that is not finite.
-void initialise(const InitialisationParameters& parameters, std::uint64_t seed, LayerStack& layers);
+LayerStack initialised(LayerStack layers, std::uint64_t seed, const InitialisationParameters& parameters = {});
 
 /// Stacked LSTM layers with `cells[i]` cells each and one linear layer with `outputs` outputs, all zero. Throws as
 /// makeNetwork().

@@ -31,8 +31,7 @@ Dataset collect(const GridImitationParameters& parameters, int sequence_steps, c
 std::optional<StructureOutcome> run(const StructureTrial& trial, const GridImitationParameters& parameters,
                                     const Dataset& dataset, const EpochCallback& report) {
   const std::vector<int> cells(static_cast<std::size_t>(trial.layers), trial.cells);
-  LayerStack layers = makeLstmStack(kGridInputs, cells, kGridMoveCount);
-  initialise({}, parameters.seed, layers);
+  const LayerStack layers = initialised(makeLstmStack(kGridInputs, cells, kGridMoveCount), parameters.seed);
   TrainerParameters trainer = parameters.trainer;
   trainer.batch_size = sequencesWithSteps(trial.sequence_steps, dataset.training);
   trainer.seed = parameters.seed;

@@ -42,8 +42,7 @@ ThesisNetworkResult trainThesisNetwork(const ThesisNetwork& network, const GridI
                                        const std::function<bool(double)>& progress) {
   GridImitationParameters own = parameters;
   own.trainer.optimiser.learning_rate = network.learning_rate;
-  LayerStack layers = makeNetwork(kGridInputs, network.shape, kGridMoveCount);
-  initialise({}, own.seed, layers);
+  const LayerStack layers = initialised(makeNetwork(kGridInputs, network.shape, kGridMoveCount), own.seed);
   const auto imitation = gridImitation(own, layers, mapsOf(training_files), mapsOf(validation_files));
   bool go_on = true;
   while (!imitation->done() && go_on) {

@@ -31,8 +31,7 @@ LayerStack layersOf(int kind, int inputs, int outputs) {
     shape.deep_in = {3};
     shape.deep_out = {2};
   }
-  LayerStack layers = makeNetwork(inputs, shape, outputs);
-  initialise({}, 1, layers);
+  LayerStack layers = initialised(makeNetwork(inputs, shape, outputs), 1);
   if (kind == 1) layers.push_back(SoftmaxLayer());
   return layers;
 }

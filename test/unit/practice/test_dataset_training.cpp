@@ -13,10 +13,8 @@ namespace {
 
 LayerStack newNetwork(const DatasetTrainingParameters& parameters) {
   const PolicyDescription& policy = parameters.sequences.policy;
-  LayerStack layers =
-      makeLstmStack(static_cast<int>(policy.encoder.input_layout.size()), {8, 8}, policy.actions.size());
-  initialise({}, 1, layers);
-  return layers;
+  return initialised(makeLstmStack(static_cast<int>(policy.encoder.input_layout.size()), {8, 8}, policy.actions.size()),
+                     1);
 }
 
 TEST(DatasetTraining, ThesisPresetIsItsTable) {

@@ -39,9 +39,9 @@ DriveActorCriticParameters tiny(int views = 1) {
 }
 
 std::unique_ptr<DriveActorCritic> newLearner(const DriveActorCriticParameters& parameters) {
-  LayerStack layers = makeLstmStack(static_cast<int>(parameters.policy.encoder.input_layout.size()), {4},
-                                    networkOutputs(parameters.policy));
-  initialise({}, kNetworkSeed, layers);
+  const LayerStack layers = initialised(makeLstmStack(static_cast<int>(parameters.policy.encoder.input_layout.size()),
+                                                      {4}, networkOutputs(parameters.policy)),
+                                        kNetworkSeed);
   return makeDriveActorCritic(parameters, layers);
 }
 

@@ -39,8 +39,8 @@ Score scoreOf(const DrivePolicy& policy, WorldKind kind, Leader leader = Leader:
 
 DrivePolicy randomPolicy() {
   const PolicyDescription description;
-  LayerStack layers = makeNetwork(Encoder(description.encoder).size(), {}, description.actions.size());
-  initialise({}, 3, layers);
+  const LayerStack layers =
+      initialised(makeNetwork(Encoder(description.encoder).size(), {}, description.actions.size()), 3);
   return DrivePolicy(description, layers);
 }
 

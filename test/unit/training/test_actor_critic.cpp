@@ -12,11 +12,7 @@
 namespace lstm_planner::test_actor_critic {
 namespace {
 
-LayerStack network(int outputs, std::uint64_t seed) {
-  LayerStack layers = makeDenseStack(3, {4}, outputs);
-  initialise({}, seed, layers);
-  return layers;
-}
+LayerStack network(int outputs, std::uint64_t seed) { return initialised(makeDenseStack(3, {4}, outputs), seed); }
 
 ActorCritic learner(std::size_t sets = 2) {
   ActorCriticParameters parameters;

@@ -84,8 +84,8 @@ std::vector<NamedStack> stacksOfEachKind() {
     InitialisationParameters parameters;
     parameters.distribution = WeightDistribution::kUniform;
     parameters.range = 0.8;
-    initialise(parameters, 17, stack.layers);
-    // Biases too, which initialise() leaves at zero.
+    stack.layers = initialised(stack.layers, 17, parameters);
+    // Biases too, which initialised() leaves at zero.
     Eigen::VectorXf weights = parameterVector(stack.layers);
     Random random(5);
     for (Eigen::Index index = 0; index < weights.size(); ++index) {
@@ -164,8 +164,7 @@ TEST(LaneNetwork, ForwardPassOfEachKindAgreesWithTheNetworkThatDrives) {
 }
 
 TEST(SequenceGradient, SoftmaxLayerIsTheOneOfTheLoss) {
-  LayerStack layers = makeLstmStack(kInputs, {4}, kOutputs);
-  initialise({}, 2, layers);
+  LayerStack layers = initialised(makeLstmStack(kInputs, {4}, kOutputs), 2);
   const Eigen::VectorXf parameters = parameterVector(layers);
   const std::vector<Sequence> sequences = raggedSequences();
   const double without = SequenceGradient(layers).loss(parameters, pointersTo(sequences)).loss;
@@ -174,8 +173,8 @@ TEST(SequenceGradient, SoftmaxLayerIsTheOneOfTheLoss) {
 }
 
 /// More than are computed together, of different lengths.
-void expectThatTheBatchIsTheSum(LayerStack layers) {
-  initialise({}, 9, layers);
+void expectThatTheBatchIsTheSum(const LayerStack& zeros) {
+  const LayerStack layers = initialised(zeros, 9);
   const Eigen::VectorXf parameters = parameterVector(layers);
   std::vector<Sequence> sequences;
   for (int i = 0; i < 4; ++i) {
@@ -211,8 +210,7 @@ TEST(SequenceGradient, EqualPreferencesLoseTheLogarithmOfTheNumberOfClasses) {
 }
 
 TEST(SequenceGradient, HugePreferencesStayFinite) {
-  LayerStack layers = makeDenseStack(kInputs, {}, kOutputs);
-  initialise({}, 1, layers);
+  const LayerStack layers = initialised(makeDenseStack(kInputs, {}, kOutputs), 1);
   const Eigen::VectorXf parameters = 1e6f * parameterVector(layers);
   Random random(1);
   const Sequence sequence = randomSequence(9, random);
@@ -244,8 +242,7 @@ TEST(SequenceGradient, RefusesWhatItCannotTrain) {
 }
 
 TEST(ParameterVector, RoundTripKeepsEveryParameterAndTellsWeightsFromBiases) {
-  LayerStack layers = makeLstmStack(11, {8, 8}, 8);
-  initialise({}, 4, layers);
+  const LayerStack layers = initialised(makeLstmStack(11, {8, 8}, 8), 4);
   const Eigen::VectorXf parameters = parameterVector(layers);
   ASSERT_EQ(static_cast<std::size_t>(parameters.size()), countWeights(layers));
   LayerStack copy = makeLstmStack(11, {8, 8}, 8);

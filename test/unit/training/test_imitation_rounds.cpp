@@ -49,8 +49,7 @@ std::unique_ptr<ImitationRounds> parityRounds(Asked* training = nullptr, Asked* 
   parameters.trainer.epochs = kEpochs;
   parameters.trainer.threads = 1;
   parameters.trainer.averaging = 0.5;
-  LayerStack layers = makeLstmStack(1, {4}, 2);
-  initialise({}, 1, layers);
+  const LayerStack layers = initialised(makeLstmStack(1, {4}, 2), 1);
   return std::make_unique<ImitationRounds>(parameters, layers, std::make_unique<ParityCourse>(training, validation));
 }
 

@@ -11,16 +11,14 @@ namespace lstm_planner::test_initialisation {
 namespace {
 
 TEST(Initialisation, ForgetGatesStartOpenAndOtherBiasesAtZero) {
-  LayerStack layers = makeLstmStack(14, {8}, 5);
-  initialise({}, 1, layers);
+  const LayerStack layers = initialised(makeLstmStack(14, {8}, 5), 1);
   const auto& lstm = std::get<LstmLayer>(layers[0]);
   for (Eigen::Index row = 0; row < 32; ++row) EXPECT_EQ(lstm.bias[row], row >= 16 && row < 24 ? 1.0f : 0.0f) << row;
   EXPECT_TRUE((std::get<DenseLayer>(layers[1]).bias.array() == 0.0f).all());
 }
 
 TEST(Initialisation, XavierFillsItsRangeForEachGate) {
-  LayerStack layers = makeLstmStack(40, {40}, 5);
-  initialise({}, 1, layers);
+  const LayerStack layers = initialised(makeLstmStack(40, {40}, 5), 1);
   const Eigen::MatrixXf& weights = std::get<LstmLayer>(layers[0]).input;
   const double range = std::sqrt(6.0 / (40 + 40));
   EXPECT_LE(weights.cwiseAbs().maxCoeff(), range);
@@ -30,37 +28,32 @@ TEST(Initialisation, XavierFillsItsRangeForEachGate) {
 }
 
 TEST(Initialisation, UniformKeepsItsRange) {
-  LayerStack layers = makeDenseStack(20, {30}, 5);
   InitialisationParameters parameters;
   parameters.distribution = WeightDistribution::kUniform;
   parameters.range = 0.05;
-  initialise(parameters, 1, layers);
+  const LayerStack layers = initialised(makeDenseStack(20, {30}, 5), 1, parameters);
   const float largest = parameterVector(layers).cwiseAbs().maxCoeff();
   EXPECT_LE(largest, 0.05f);
   EXPECT_GT(largest, 0.045f);
 }
 
 TEST(Initialisation, SeedDecidesTheWeights) {
-  LayerStack layers = makeLstmStack(4, {3}, 2);
-  initialise({}, 7, layers);
-  const Eigen::VectorXf first = parameterVector(layers);
-  initialise({}, 7, layers);
-  EXPECT_EQ(parameterVector(layers), first);
-  initialise({}, 8, layers);
-  EXPECT_NE(parameterVector(layers), first);
+  const LayerStack layers = initialised(makeLstmStack(4, {3}, 2), 7);
+  EXPECT_EQ(parameterVector(initialised(layers, 7)), parameterVector(layers));
+  EXPECT_NE(parameterVector(initialised(layers, 8)), parameterVector(layers));
 }
 
 TEST(Initialisation, RefusesImpossibleSizesAndRanges) {
   EXPECT_THROW(makeLstmStack(0, {8}, 5), std::invalid_argument);
   EXPECT_THROW(makeLstmStack(4, {8, 0}, 5), std::invalid_argument);
   EXPECT_THROW(makeDenseStack(4, {8}, -1), std::invalid_argument);
-  LayerStack layers = makeLstmStack(4, {3}, 2);
+  const LayerStack layers = makeLstmStack(4, {3}, 2);
   InitialisationParameters parameters;
   parameters.range = 0.0;
-  EXPECT_THROW(initialise(parameters, 1, layers), std::invalid_argument);
+  EXPECT_THROW(initialised(layers, 1, parameters), std::invalid_argument);
   parameters = {};
   parameters.forget_gate_bias = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(initialise(parameters, 1, layers), std::invalid_argument);
+  EXPECT_THROW(initialised(layers, 1, parameters), std::invalid_argument);
 }
 
 TEST(NetworkShape, TheThesissNetworksHaveTheirNumbersOfWeights) {

@@ -78,15 +78,12 @@ TEST(FirstStepSensitivity, IsTheDerivativeOfTheEquations) {
   constexpr int kUnits = 2;
   const std::vector<Sequence> sequences = recallSequences(2, 4, 1);
   const int inputs = static_cast<int>(sequences.front().inputs.rows());
-  LayerStack lstm = {makeLstmStack(inputs, {kUnits}, 2).front()};
+  const LayerStack lstm = {makeLstmStack(inputs, {kUnits}, 2).front()};
   LayerStack sigmoid = lstm;
   std::get<LstmLayer>(sigmoid.front()).candidate = Activation::kSigmoid;
-  LayerStack plain = {RecurrentLayer{Eigen::MatrixXf::Zero(kUnits, inputs), Eigen::MatrixXf::Zero(kUnits, kUnits),
-                                     Eigen::VectorXf::Zero(kUnits)}};
-  initialise({}, 3, lstm);
-  initialise({}, 4, sigmoid);
-  initialise({}, 5, plain);
-  for (const LayerStack& first : {lstm, sigmoid, plain}) {
+  const LayerStack plain = {RecurrentLayer{Eigen::MatrixXf::Zero(kUnits, inputs), Eigen::MatrixXf::Zero(kUnits, kUnits),
+                                           Eigen::VectorXf::Zero(kUnits)}};
+  for (const LayerStack& first : {initialised(lstm, 3), initialised(sigmoid, 4), initialised(plain, 5)}) {
     const Eigen::MatrixXd expected = expectedSensitivity(first, sequences);
     EXPECT_LT((firstStepSensitivity(first, sequences) - expected).norm(), 1e-6 * expected.norm());
   }

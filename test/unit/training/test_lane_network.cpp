@@ -25,8 +25,7 @@ LayerStack mixedStack() {
   layers.insert(layers.end(), lstm.begin(), lstm.end() - 1);
   layers.push_back(RecurrentLayer{Eigen::MatrixXf::Zero(6, 3), Eigen::MatrixXf::Zero(6, 6), Eigen::VectorXf::Zero(6)});
   layers.push_back(DenseLayer{Eigen::MatrixXf::Zero(4, 6), Eigen::VectorXf::Zero(4), Activation::kIdentity});
-  initialise({}, 3, layers);
-  return layers;
+  return initialised(layers, 3);
 }
 
 std::vector<Sequence> randomSequences(std::uint64_t seed) {

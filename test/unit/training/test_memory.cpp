@@ -7,14 +7,13 @@
 namespace lstm_planner::test_memory {
 namespace {
 
-double accuracyAfterTraining(LayerStack layers, const std::vector<Sequence>& training,
+double accuracyAfterTraining(const LayerStack& layers, const std::vector<Sequence>& training,
                              const std::vector<Sequence>& test, int epochs) {
-  initialise({}, 1, layers);
   TrainerParameters parameters;
   parameters.epochs = epochs;
   parameters.batch_size = 64;
   parameters.optimiser.learning_rate = 0.02;
-  return evaluate(train(layers, training, {}, parameters).layers, test).accuracy();
+  return evaluate(train(initialised(layers, 1), training, {}, parameters).layers, test).accuracy();
 }
 
 // Test sets hold 1,000 or more decisions, half of them each way: 0.08 is five standard deviations from chance.

@@ -11,8 +11,7 @@ namespace lstm_planner::test_q_learner {
 namespace {
 
 QLearner learner(int units = 4, double exploration_share = 0.5) {
-  LayerStack layers = makeDenseStack(3, {units}, 2);
-  initialise({}, 1, layers);
+  const LayerStack layers = initialised(makeDenseStack(3, {units}, 2), 1);
   QLearningParameters parameters;
   parameters.target_interval = 2;
   parameters.exploration_end = 0.2;

@@ -11,17 +11,9 @@
 namespace lstm_planner::test_trainer {
 namespace {
 
-LayerStack startingLayers() {
-  LayerStack layers = makeLstmStack(1, {6, 5}, 2);
-  initialise({}, 3, layers);
-  return layers;
-}
+LayerStack startingLayers() { return initialised(makeLstmStack(1, {6, 5}, 2), 3); }
 
-LayerStack startingRecallLayers() {
-  LayerStack layers = makeLstmStack(3, {8}, 2);
-  initialise({}, 1, layers);
-  return layers;
-}
+LayerStack startingRecallLayers() { return initialised(makeLstmStack(3, {8}, 2), 1); }
 
 /// Lengths differ, so that groups get different work and threads finish in any order.
 std::vector<Sequence> raggedParitySequences() {
@@ -78,9 +70,7 @@ TEST(Trainer, MomentumLearnsToo) {
   parameters.optimiser.learning_rate = 0.1;  // thesis table 3.2: 0.1, 0.95, L1 with 1e-5
   parameters.optimiser.decay = Decay::kL1;
   const auto sequences = recallSequences(256, 2, 1);
-  LayerStack layers = makeLstmStack(3, {8}, 2);
-  initialise({}, 1, layers);
-  EXPECT_GT(evaluate(train(layers, sequences, {}, parameters).layers, sequences).accuracy(), 0.99);
+  EXPECT_GT(evaluate(train(startingRecallLayers(), sequences, {}, parameters).layers, sequences).accuracy(), 0.99);
 }
 
 TEST(Trainer, KeepsTheBestEpochOnTheValidationSet) {
@@ -88,12 +78,10 @@ TEST(Trainer, KeepsTheBestEpochOnTheValidationSet) {
   const auto training = recallSequences(256, 2, 1);
   auto validation = training;
   for (Sequence& sequence : validation) sequence.labels = 1 - sequence.labels.array();
-  LayerStack layers = makeLstmStack(3, {8}, 2);
-  initialise({}, 1, layers);
   TrainerParameters parameters;
   parameters.epochs = 30;
   parameters.optimiser.learning_rate = 0.03;
-  const TrainingResult result = train(layers, training, validation, parameters);
+  const TrainingResult result = train(startingRecallLayers(), training, validation, parameters);
   ASSERT_EQ(result.curve.size(), 30u);
   double best = 0.0;
   for (const EpochReport& report : result.curve) best = std::max(best, report.validation.accuracy());

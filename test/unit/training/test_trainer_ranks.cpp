@@ -16,8 +16,7 @@ struct Outcome {
 };
 
 Outcome trainOn(Communicator* communicator) {
-  LayerStack layers = makeLstmStack(1, {6, 5}, 2);
-  initialise({}, 3, layers);
+  const LayerStack layers = initialised(makeLstmStack(1, {6, 5}, 2), 3);
   std::vector<Sequence> training;
   for (int steps = 3; steps < 12; ++steps) {
     for (const Sequence& sequence : paritySequences(5, steps, static_cast<std::uint64_t>(steps))) {

@@ -22,11 +22,7 @@ namespace {
 constexpr int kSteps = 12;
 constexpr int kEpoch = 4;  ///< steps from judgement to judgement
 
-LayerStack firstLayers() {
-  LayerStack layers = makeDenseStack(2, {3}, 1);
-  initialise({}, 1, layers);
-  return layers;
-}
+LayerStack firstLayers() { return initialised(makeDenseStack(2, {3}, 1), 1); }
 
 QLearningParameters parameters() {
   QLearningParameters parameters;

@@ -52,11 +52,7 @@ TrainerParameters nervous(int epochs) {
   return parameters;
 }
 
-LayerStack startingLayers() {
-  LayerStack layers = makeLstmStack(3, {6}, 2);
-  initialise({}, 3, layers);
-  return layers;
-}
+LayerStack startingLayers() { return initialised(makeLstmStack(3, {6}, 2), 3); }
 
 TEST(TrainingStability, EachAccuracyIsOfTheWeightsThatItNames) {
   const std::vector<Sequence> training = recallSequences(60, 3, 1);

@@ -22,11 +22,7 @@ PolicyDescription eightViews() {
   return description;
 }
 
-LayerStack randomLayers() {
-  LayerStack layers = makeLstmStack(Encoder(eightViews().encoder).size(), {6}, 1);
-  initialise({}, 5, layers);
-  return layers;
-}
+LayerStack randomLayers() { return initialised(makeLstmStack(Encoder(eightViews().encoder).size(), {6}, 1), 5); }
 
 DrivePolicy randomPolicy() { return DrivePolicy(eightViews(), randomLayers()); }
 

@@ -17,8 +17,7 @@ namespace {
 /// A network that knows nothing: random weights.
 Model randomModel() {
   Model model;
-  model.layers = makeLstmStack(kGridInputs, {5}, kGridMoveCount);
-  initialise({}, 11, model.layers);
+  model.layers = initialised(makeLstmStack(kGridInputs, {5}, kGridMoveCount), 11);
   writeGridMetadata(&model.metadata);
   return model;
 }

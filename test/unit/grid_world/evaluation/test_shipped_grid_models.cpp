@@ -69,7 +69,7 @@ int arrivalsAlone(const Model& model) {
 TEST_P(ShippedGridModel, ArrivesAloneWhereRandomWeightsDoNot) {
   Model model = readModelFile(shippedModel(GetParam().model));
   EXPECT_GE(arrivalsAlone(model), GetParam().arrivals);
-  initialise({}, 3, model.layers);
+  model.layers = initialised(model.layers, 3);
   EXPECT_LT(arrivalsAlone(model), GetParam().arrivals / 2) << "random weights";
 }
 
@@ -153,7 +153,7 @@ TEST(ShippedGridModels, UnderTheBoundAnyNetworkArrivesButOnlyAGoodOneDecides) {
   EXPECT_EQ(good.arrivals, kWalksUnderBound);
   EXPECT_GE(good.decided, 0.75);
   Model random = shipped;
-  initialise({}, 3, random.layers);
+  random.layers = initialised(random.layers, 3);
   for (const Model& bad : {random, constantModel(shipped)}) {
     const UnderBound useless = walksUnderBound(bad);
     EXPECT_EQ(useless.arrivals, kWalksUnderBound);

@@ -30,9 +30,7 @@ GridImitationParameters tinyImitation() {
 }
 
 LayerStack smallNetwork(const std::vector<int>& cells) {
-  LayerStack layers = makeLstmStack(kGridInputs, cells, kGridMoveCount);
-  initialise({}, 1, layers);
-  return layers;
+  return initialised(makeLstmStack(kGridInputs, cells, kGridMoveCount), 1);
 }
 
 std::unique_ptr<ImitationRounds> inCaves(const GridImitationParameters& parameters) {

@@ -66,11 +66,7 @@ GridQLearningParameters smallParameters() {
   return parameters;
 }
 
-LayerStack smallNetwork() {
-  LayerStack layers = makeLstmStack(kGridInputs, {6}, kGridMoveCount);
-  initialise({}, 5, layers);
-  return layers;
-}
+LayerStack smallNetwork() { return initialised(makeLstmStack(kGridInputs, {6}, kGridMoveCount), 5); }
 
 constexpr double kBestMoves = 0.0;
 constexpr double kRandomMoves = 1.0;  ///< which small changes of weights do not change
@@ -200,8 +196,7 @@ TEST(GridQLearning, FindsTheValuesOfACorridor) {
   parameters.course = courseUpTo(11.0);
   parameters.discount = 0.8;
   parameters.updates = 8000;
-  LayerStack layers = makeDenseStack(kGridInputs, {16}, kGridMoveCount);
-  initialise({}, 1, layers);
+  const LayerStack layers = initialised(makeDenseStack(kGridInputs, {16}, kGridMoveCount), 1);
   const auto learning = makeGridQLearning(parameters, only(corridor), layers);
   while (!learning->done()) learning->step();
 
