@@ -36,11 +36,7 @@ class ShippedGridModel : public testing::TestWithParam<Bound> {};
 
 /// How many of 40 walks in a random place end alone.
 int arrivalsAlone(const Model& model) {
-  constexpr int kMostSteps = 1000;
-  RandomFillParameters parameters;
-  parameters.columns = 100;
-  parameters.rows = 100;
-  const PassableGrid grid = generateRandomFill(parameters, 5);
+  const PassableGrid grid = generateRandomFill({100, 100, 0.25, true}, 5);
   NetworkGridAgent::Options options;
   options.guided = false;
   NetworkGridAgent agent(model, options);
@@ -49,19 +45,9 @@ int arrivalsAlone(const Model& model) {
   int arrivals = 0;
   for (int walk = 0; walk < 40; ++walk) {
     const CellIndex goal = passableCell(grid, random);
-    CellIndex cell = passableCell(grid, random);
-    agent.start(cell, goal);
-    for (int step = 0; step < kMostSteps; ++step) {
-      if (std::max(std::abs(goal.column - cell.column), std::abs(goal.row - cell.row)) <= 1) {
-        ++arrivals;
-        break;
-      }
-      agent.observe({cell, goal, ranges.at(cell)});
-      const int direction = agent.decide();
-      if (direction == kNoPath) break;
-      cell = cellBeside(cell, direction);
-      agent.step(direction, true);
-    }
+    const CellIndex start = passableCell(grid, random);
+    const GridEpisode episode = runGridEpisode(grid, ranges, start, goal, {}, &agent);
+    arrivals += episode.end == GridEpisode::End::kArrived ? 1 : 0;
   }
   return arrivals;
 }
@@ -74,27 +60,16 @@ TEST_P(ShippedGridModel, ArrivesAloneWhereRandomWeightsDoNot) {
 }
 
 TEST_P(ShippedGridModel, ArrivesEverywhereInAMazeWithoutCollision) {
-  MazeParameters parameters;
-  parameters.columns = 100;
-  parameters.rows = 100;
-  parameters.corridor_width = 8;
-  const PassableGrid maze = generateMaze(parameters, 5);
+  const PassableGrid maze = generateMaze({100, 100, 8, 0.1}, 5);
   const RangeTable ranges(maze);
   NetworkGridAgent agent(readModelFile(shippedModel(GetParam().model)), {});
+  GridEpisodeRules rules;
+  rules.max_steps = 5 * 100 * 100;  // the remembered path walks far fewer
   Random random(9);
-  for (int episode = 0; episode < 10; ++episode) {
+  for (int walk = 0; walk < 10; ++walk) {
     const CellIndex goal = passableCell(maze, random);
-    CellIndex cell = passableCell(maze, random);
-    agent.start(cell, goal);
-    int steps_left = 5 * 100 * 100;  // the remembered path walks far fewer
-    while (std::max(std::abs(goal.column - cell.column), std::abs(goal.row - cell.row)) > 1 && --steps_left > 0) {
-      agent.observe({cell, goal, ranges.at(cell)});
-      const int direction = agent.decide();
-      ASSERT_TRUE(direction != kNoPath && movePossible(maze, cell, direction, CornerCutting::kForbidden));
-      cell = cellBeside(cell, direction);
-      agent.step(direction, true);
-    }
-    ASSERT_GT(steps_left, 0);
+    const CellIndex start = passableCell(maze, random);
+    ASSERT_EQ(runGridEpisode(maze, ranges, start, goal, rules, &agent).end, GridEpisode::End::kArrived);
   }
 }
 
@@ -119,12 +94,8 @@ UnderBound walksUnderBound(const Model& model) {
   Random random(9);
   for (int walk = 0; walk < kWalksUnderBound; ++walk) {
     const auto seed = static_cast<std::uint64_t>(walk);
-    MazeParameters maze;
-    maze.columns = maze.rows = 100;
-    maze.corridor_width = 8;
-    RandomFillParameters fill;
-    fill.columns = fill.rows = 100;
-    const PassableGrid grid = walk % 2 == 0 ? generateMaze(maze, seed) : generateRandomFill(fill, seed);
+    const PassableGrid grid =
+        walk % 2 == 0 ? generateMaze({100, 100, 8, 0.1}, seed) : generateRandomFill({100, 100, 0.25, true}, seed);
     const CellIndex start = passableCell(grid, random);
     const CellIndex goal = passableCell(grid, random);
     NetworkGridAgent agent(model, {});
@@ -172,26 +143,17 @@ TEST(ShippedGridModels, TheDefaultIsOfTheThesissSizeAndNeedsAtMost64KiBWhereTheT
     if (column % 2 == 0) continue;
     for (int row = 2; row < 7; ++row) maze.set({column, row}, row == (column % 4 == 1 ? 6 : 2));
   }
-  const RangeTable ranges(maze);
   NetworkGridAgent::Options options;
   options.guide.most_times_planned = 0.0;
   options.guide.most_steps_more = 0;
   options.guide.last_resort.boundary.first_leg = 4000.0;
   options.guide.last_resort.boundary.goal_weight = 0.0;
   NetworkGridAgent agent(model, options);
-  CellIndex cell{0, 2};
-  const CellIndex goal{0, 0};
-  agent.start(cell, goal);
-  int along_boundary = 0;
-  for (int step = 0; step < 5000; ++step) {
-    agent.observe({cell, goal, ranges.at(cell)});
-    along_boundary += agent.leader() == GridLeader::kBoundary ? 1 : 0;
-    const int direction = agent.decide();
-    ASSERT_NE(direction, kNoPath);
-    cell = cellBeside(cell, direction);
-    agent.step(direction, true);
-  }
-  EXPECT_GT(along_boundary, 4000);
+  GridEpisodeRules rules;
+  rules.max_steps = 5000;
+  const GridEpisode episode = runGridEpisode(maze, RangeTable(maze), {0, 2}, {0, 0}, rules, &agent);
+  EXPECT_EQ(episode.end, GridEpisode::End::kTimeout);
+  EXPECT_GT(episode.led[static_cast<std::size_t>(GridLeader::kBoundary)], 4000);
   EXPECT_LE(agent.peakBytes(), 64u * 1024u);
 }
 

@@ -12,21 +12,12 @@
 #include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
 #include "support/refusal.hpp"
+#include "unit/grid_world/evaluation/grid_fixtures.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
 #include "unit/training/thread_ranks.hpp"
 
 namespace lstm_planner::test_grid_q_learning {
 namespace {
-
-PassableGrid gridFrom(const std::vector<std::string>& lines) {
-  PassableGrid grid(static_cast<int>(lines.front().size()), static_cast<int>(lines.size()), false);
-  for (std::size_t row = 0; row < lines.size(); ++row) {
-    for (std::size_t column = 0; column < lines[row].size(); ++column) {
-      if (lines[row][column] == '.') grid.set({static_cast<int>(column), static_cast<int>(row)}, true);
-    }
-  }
-  return grid;
-}
 
 GridCourseParameters courseUpTo(double max_length) {
   GridCourseParameters parameters;
