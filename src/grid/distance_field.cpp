@@ -115,4 +115,14 @@ float GeodesicField::at(CellIndex index) const {
   return inside ? lengths_[offsetOf(index, columns_)] : std::numeric_limits<float>::infinity();
 }
 
+CellIndex GeodesicField::nextOnPath(CellIndex cell) const {
+  CellIndex next = cell;
+  for (int row = cell.row - 1; row <= cell.row + 1; ++row) {
+    for (int column = cell.column - 1; column <= cell.column + 1; ++column) {
+      if (at({column, row}) < at(next)) next = {column, row};
+    }
+  }
+  return next;
+}
+
 }  // namespace lstm_planner

@@ -50,17 +50,8 @@ bool Teacher::direction(const Point2& position, double* direction) const {
     return false;
   }
   while (distanceBetween(position, world_.grid().centerOf(cell)) < kLookahead) {
-    CellIndex next = cell;
-    for (int row = cell.row - 1; row <= cell.row + 1; ++row) {
-      for (int column = cell.column - 1; column <= cell.column + 1; ++column) {
-        if (field_.at({column, row}) < field_.at(next)) {
-          next = {column, row};
-        }
-      }
-    }
-    if (next.column == cell.column && next.row == cell.row) {
-      break;  // the goal's own cell
-    }
+    const CellIndex next = field_.nextOnPath(cell);
+    if (next == cell) break;  // the goal's own cell
     cell = next;
   }
   *direction = directionTo(position, world_.grid().centerOf(cell));

@@ -96,13 +96,8 @@ Point2 ScriptedDriver::pointAhead(const Point2& position) const {
   Point2 ahead = grid.centerOf(cell);
   const bool off_the_path = !std::isfinite(field_->at(grid.cellAt(position)));
   while (distanceBetween(position, grid.centerOf(cell)) < parameters_.lookahead) {
-    CellIndex next = cell;
-    for (int row = cell.row - 1; row <= cell.row + 1; ++row) {
-      for (int column = cell.column - 1; column <= cell.column + 1; ++column) {
-        if (field_->at({column, row}) < field_->at(next)) next = {column, row};
-      }
-    }
-    if (next.column == cell.column && next.row == cell.row) return off_the_path ? ahead : goal_;
+    const CellIndex next = field_->nextOnPath(cell);
+    if (next == cell) return off_the_path ? ahead : goal_;
     const Point2 center = grid.centerOf(next);
     if (!off_the_path && !isOpen(position, center)) break;
     cell = next;

@@ -37,7 +37,7 @@ class LazyThetaStar {
       if (closed_[offset(here)] != 0) continue;
       makeSure(here);
       closed_[offset(here)] = 1;
-      if (here.column == goal.column && here.row == goal.row) return lengths_[offset(here)];
+      if (here == goal) return lengths_[offset(here)];
       expand(here);
     }
     return kUnreachable;

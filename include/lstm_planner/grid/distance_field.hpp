@@ -36,6 +36,8 @@ class GeodesicField {
   };
   GeodesicField(const OccupancyGrid& grid, const DistanceField& distances, CellIndex goal, const Options& options);
   float at(CellIndex index) const;  ///< m; +inf outside and where there is no path
+  /// Of a cell and its neighbours the one with the shortest path: the cell itself at the goal.
+  CellIndex nextOnPath(CellIndex cell) const;
 
  private:
   int columns_ = 0;

@@ -15,6 +15,8 @@ struct CellIndex {
   int column = 0;
   int row = 0;
 };
+inline bool operator==(CellIndex a, CellIndex b) { return a.column == b.column && a.row == b.row; }
+inline bool operator!=(CellIndex a, CellIndex b) { return !(a == b); }
 
 /// A grid with a metric scale. Row 0 is the lowest, column 0 the leftmost. `origin` is the pose of the lower left
 /// corner of cell (0, 0) in the map frame, with any yaw. Cells outside are kUnknown.

@@ -49,9 +49,6 @@ enum class CornerCutting { kForbidden, kAllowed };
 /// Moves have the numbers of the rays: kGridRaySteps[direction]. Odd directions are diagonal.
 constexpr int kGridMoveCount = kGridRayCount;
 
-inline bool operator==(CellIndex a, CellIndex b) { return a.column == b.column && a.row == b.row; }
-inline bool operator!=(CellIndex a, CellIndex b) { return !(a == b); }
-
 /// The cell so many steps ahead in a direction.
 inline CellIndex alongRay(CellIndex cell, std::size_t direction, int steps) {
   const CellIndex step = kGridRaySteps[direction];

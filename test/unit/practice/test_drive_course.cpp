@@ -69,7 +69,7 @@ TEST(DriveCourse, StartsInDeadEndsWhenAsked) {
       const OccupancyGrid& grid = exercise.world->grid();
       const CellIndex start = grid.cellAt({task.start.x, task.start.y});
       const CellIndex end = deadEndBelow(*exercise.world, start, task.goal, 0.17425 + 0.12 + 0.025);
-      dead_ends += start.column == end.column && start.row == end.row ? 1 : 0;
+      dead_ends += start == end ? 1 : 0;
     }
   }
   // The rest started so near to the goal, or so far below it, that there was no dead end on the way.
