@@ -44,15 +44,14 @@ int DriveBatch::pack(const std::vector<PracticeEpisode>& episodes) {
 }
 
 template <typename Sum, typename Work>
-std::vector<Sum> DriveBatch::each(const Sum& zero, const Work& work) {
-  return exchange_.each(static_cast<int>(tiles_.size()), zero,
-                        [&](int tile, int) { return work(tiles_[static_cast<std::size_t>(tile)].get()); });
+Sum DriveBatch::run(const Sum& zero, const Work& work) {
+  return exchange_.run(static_cast<int>(tiles_.size()), zero,
+                       [&](int tile, int) { return work(tiles_[static_cast<std::size_t>(tile)].get()); });
 }
 
 template <typename Work>
 double DriveBatch::addUp(Eigen::Index size, const Work& work, Eigen::VectorXf* gradient) {
-  double steps = 0.0;
-  for (const double some : each(0.0, work)) steps += some;
+  const double steps = run(0.0, work);
   *gradient = exchange_.sumOf(static_cast<int>(tiles_.size()), size, [&](int tile) -> const Eigen::VectorXf& {
     return tiles_[static_cast<std::size_t>(tile)]->gradient();
   });
@@ -60,10 +59,8 @@ double DriveBatch::addUp(Eigen::Index size, const Work& work, Eigen::VectorXf* g
 }
 
 void DriveBatch::judge(const Eigen::VectorXf& critic_parameters, std::vector<double>* advantage_variances) {
-  judged_ = CriticSums(advantage_variances->size());
-  for (const CriticSums& some : each(judged_, [&](DriveTile* tile) { return tile->judge(critic_parameters); })) {
-    judged_ += some;
-  }
+  judged_ =
+      run(CriticSums(advantage_variances->size()), [&](DriveTile* tile) { return tile->judge(critic_parameters); });
   judged_.moveVariances(kVarianceRate, advantage_variances);
 }
 
@@ -84,11 +81,7 @@ double DriveBatch::criticGradient(const Eigen::VectorXf& parameters, Eigen::Vect
 }
 
 double DriveBatch::entropy() {
-  DriveTileEntropy all;
-  for (const DriveTileEntropy& some : each(all, [](DriveTile* tile) { return tile->entropy(); })) {
-    all.sum += some.sum;
-    all.steps += some.steps;
-  }
+  const DriveTileEntropy all = run(DriveTileEntropy(), [](DriveTile* tile) { return tile->entropy(); });
   return all.steps > 0.0 ? all.sum / all.steps : 0.0;
 }
 

@@ -36,9 +36,9 @@ class DriveBatch {
  private:
   /// Each drive to the queue that is shortest so far. Returns how many windows all have.
   int pack(const std::vector<PracticeEpisode>& episodes);
-  /// What `work` says of each tile, in the order of the tiles. `zero`: of a tile with nothing in it.
+  /// The sum of what `work` says of each tile. `zero`: of a tile with nothing in it.
   template <typename Sum, typename Work>
-  std::vector<Sum> each(const Sum& zero, const Work& work);
+  Sum run(const Sum& zero, const Work& work);
   /// Adds up the gradients, of `size` numbers, that `work` leaves in the tiles, and the steps that it says they are
   /// over.
   template <typename Work>

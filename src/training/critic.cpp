@@ -14,17 +14,6 @@ void CriticSums::count(std::size_t set, double value, double advantage) {
   set_squared_advantages[set] += advantage * advantage;
 }
 
-void CriticSums::operator+=(const CriticSums& other) {
-  steps += other.steps;
-  returns += other.returns;
-  squared_returns += other.squared_returns;
-  squared_errors += other.squared_errors;
-  for (std::size_t set = 0; set < set_steps.size(); ++set) {
-    set_steps[set] += other.set_steps[set];
-    set_squared_advantages[set] += other.set_squared_advantages[set];
-  }
-}
-
 double CriticSums::explained() const {
   const double spread = squared_returns - returns * returns / steps;
   return 1.0 - squared_errors / std::max(1e-12, spread);

@@ -42,12 +42,6 @@ void ValueSums::count(double estimate, double error) {
   squared_error += error * error;
 }
 
-void ValueSums::operator+=(const ValueSums& other) {
-  steps += other.steps;
-  value += other.value;
-  squared_error += other.squared_error;
-}
-
 std::vector<double*> numbersOf(ValueSums* sums) { return {&sums->steps, &sums->value, &sums->squared_error}; }
 
 QLearner::QLearner(const QLearningParameters& parameters, int updates, const LayerStack& layers)

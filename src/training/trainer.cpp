@@ -93,8 +93,7 @@ class GroupedGradient {
   }
 
   LossSum loss(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf* gradient = nullptr) {
-    LossSum sum;
-    if (batch.empty()) return sum;
+    if (batch.empty()) return {};
     const std::vector<Batch> groups = SequenceGradient::groupsOf(batch);
     const auto count = static_cast<int>(groups.size());
     std::vector<Eigen::VectorXf> gradients(groups.size());
@@ -104,7 +103,7 @@ class GroupedGradient {
       return GroupLoss(worker.loss(parameters, groups[index], gradient != nullptr ? &gradients[index] : nullptr),
                        classes_);
     };
-    for (const GroupLoss& group : exchange_.each(count, GroupLoss({}, classes_), work)) sum += group.sum();
+    const LossSum sum = exchange_.run(count, GroupLoss({}, classes_), work).sum();
     if (gradient != nullptr) {
       const auto gradientOf = [&](int group) -> const Eigen::VectorXf& {
         return gradients[static_cast<std::size_t>(group)];

@@ -16,7 +16,6 @@ struct CriticSums {
 
   /// A step in a set, whose state the critic values at `value`.
   void count(std::size_t set, double value, double advantage);
-  void operator+=(const CriticSums& other);
 
   /// Share of the variance of the returns.
   double explained() const;

@@ -96,7 +96,6 @@ struct ValueSums {
   double squared_error = 0.0;
 
   void count(double estimate, double error);
-  void operator+=(const ValueSums& other);
 };
 std::vector<double*> numbersOf(ValueSums* sums);
 

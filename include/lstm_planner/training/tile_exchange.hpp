@@ -9,9 +9,17 @@
 
 namespace lstm_planner {
 
-/// The numbers that a sum consists of: what ranks exchange. A sum of another type has a function of its own, in the
-/// same namespace.
+/// The numbers that a sum consists of: what is added up, and exchanged by ranks. A sum of another type has a function
+/// of its own, in the same namespace.
 inline std::vector<double*> numbersOf(double* sum) { return {sum}; }
+
+/// Adds the numbers of another sum.
+template <typename Sum>
+void addTo(Sum* sum, Sum more) {
+  const std::vector<double*> numbers = numbersOf(sum);
+  const std::vector<double*> added = numbersOf(&more);
+  for (std::size_t i = 0; i < numbers.size(); ++i) *numbers[i] += *added[i];
+}
 
 /// Shares the tiles of an update, which are pieces of work, among ranks and threads, and adds their results up in the
 /// order of the tiles: the same for any number of both. Every rank has to call each function as the others do.
@@ -19,9 +27,9 @@ class TileExchange {
  public:
   TileExchange(Communicator* ranks, int threads) : ranks_(*ranks), threads_(threads) {}
 
-  /// What `work(tile, thread)` says of each of so many tiles. `zero`: the sum of a tile with nothing in it.
+  /// The sum of what `work(tile, thread)` says of each of so many tiles. `zero`: of a tile with nothing in it.
   template <typename Sum, typename Work>
-  std::vector<Sum> each(int tiles, const Sum& zero, const Work& work) const {
+  Sum run(int tiles, const Sum& zero, const Work& work) const {
     std::vector<Sum> sums(static_cast<std::size_t>(tiles), zero);
     const Share own = ownOf(tiles);
     parallelFor(own.count(), threads_, [&](int index, int thread) {
@@ -29,7 +37,9 @@ class TileExchange {
       sums[static_cast<std::size_t>(tile)] = work(tile, thread);
     });
     exchange(&sums);
-    return sums;
+    Sum all = zero;
+    for (const Sum& sum : sums) addTo(&all, sum);
+    return all;
   }
 
   /// The sum of the vectors `vectorOf(tile)`, of `size` numbers each. Only asked for tiles on which this rank worked.

@@ -60,10 +60,4 @@ void GridEpisodeSums::count(const GridActor::Outcome& outcome) {
   ratio += outcome.ratio;
 }
 
-void GridEpisodeSums::operator+=(const GridEpisodeSums& other) {
-  ended += other.ended;
-  arrived += other.arrived;
-  ratio += other.ratio;
-}
-
 }  // namespace lstm_planner

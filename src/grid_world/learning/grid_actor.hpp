@@ -53,7 +53,6 @@ struct GridEpisodeSums {
   double ended = 0.0, arrived = 0.0, ratio = 0.0;
 
   void count(const GridActor::Outcome& outcome);
-  void operator+=(const GridEpisodeSums& other);
   double arrival() const { return ended > 0.0 ? arrived / ended : 0.0; }      ///< share
   double meanRatio() const { return arrived > 0.0 ? ratio / arrived : 0.0; }  ///< of those that arrived
 };

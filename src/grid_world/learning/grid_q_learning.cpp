@@ -90,14 +90,13 @@ class GridQLearningOnMaps final : public GridQLearning {
     const auto work = [&](int tile, int /*thread*/) {
       return tiles_[static_cast<std::size_t>(tile)].run(learner_.weights(), learner_.targetWeights(), epsilon_);
     };
-    QSums sums;
-    for (const QSums& some : exchange_.each(count, QSums(), work)) sums += some;
+    const QSums sums = exchange_.run(count, QSums(), work);
     const Eigen::VectorXf gradient = exchange_.sumOf(
         count, learner_.weights().size(),
         [&](int tile) -> const Eigen::VectorXf& { return tiles_[static_cast<std::size_t>(tile)].gradient(); });
     learner_.update(gradient / static_cast<float>(sums.values.steps));
     learner_.finishUpdate(sums.values.steps);
-    sums_ += sums;
+    addTo(&sums_, sums);
   }
 
   const GridQLearningParameters parameters_;

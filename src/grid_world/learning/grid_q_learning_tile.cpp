@@ -23,12 +23,6 @@ int randomMove(GridActor& walker) {
 
 }  // namespace
 
-void QSums::operator+=(const QSums& other) {
-  values += other.values;
-  reward += other.reward;
-  episodes += other.episodes;
-}
-
 std::vector<double*> numbersOf(QSums* sums) {
   GridEpisodeSums& episodes = sums->episodes;
   std::vector<double*> all = numbersOf(&sums->values);

@@ -15,7 +15,6 @@ struct QSums {
   ValueSums values;
   double reward = 0;
   GridEpisodeSums episodes;
-  void operator+=(const QSums& other);
 };
 std::vector<double*> numbersOf(QSums* sums);
 
