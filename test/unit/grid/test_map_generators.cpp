@@ -222,36 +222,24 @@ TEST(MapGenerators, WorkOnTheSmallestMaps) {
 }
 
 TEST(MapGenerators, RefuseBadParametersByName) {
-  EXPECT_EQ(test::refusalOf([] { generateMaze({512, 1, 1, 0.1}, 1); }), "parameter rows is 1, expected at least 2");
-  EXPECT_EQ(test::refusalOf([] {
-              generateMaze({9, 20, 9, 0.1}, 1);
-            }),
-            "parameter corridor_width is 9, expected less than the map's columns and rows");
-  EXPECT_EQ(test::refusalOf([] {
-              generateMaze({512, 512, 0, 0.1}, 1);
-            }),
-            "parameter corridor_width is 0, expected at least 1");
-  EXPECT_EQ(test::refusalOf([] {
-              generateMaze({512, 512, 8, 1.1}, 1);
-            }),
-            "parameter branching is 1.1, expected a probability in [0, 1]");
-  EXPECT_EQ(test::refusalOf([] {
-              generateRandomFill({8192, 8193, 0.1, true}, 1);
-            }),
-            "parameter rows is 8193, expected at most 2^26 cells with 8192 columns");
-  EXPECT_EQ(test::refusalOf([] {
-              generateRandomFill({8, 8, std::nan(""), true}, 1);
-            }),
-            "parameter share is nan, expected a share of at least 0 and below 1");
-  EXPECT_EQ(test::refusalOf([] {
-              generateRooms({64, 64, 8, 9, 0.5}, 1);
-            }),
-            "parameter door_cells is 9, expected at least 1 and at most room_size");
-  EXPECT_EQ(test::refusalOf([] {
-              generateCaves({64, 64, 0.4, -1}, 1);
-            }),
-            "parameter rounds is -1, expected a number from 0 to 100");
-  EXPECT_EQ(test::refusalOf([] { generateCaves({7, 64, 0.4, 4}, 1); }), "parameter columns is 7, expected at least 8");
+  const auto refuses = [](const std::string& why, const auto& generate) { EXPECT_EQ(test::refusalOf(generate), why); };
+  refuses("parameter rows is 1, expected at least 2", [] { generateMaze({512, 1, 1, 0.1}, 1); });
+  refuses("parameter corridor_width is 9, expected less than the map's columns and rows", [] {
+    generateMaze({9, 20, 9, 0.1}, 1);
+  });
+  refuses("parameter corridor_width is 0, expected at least 1", [] { generateMaze({512, 512, 0, 0.1}, 1); });
+  refuses("parameter branching is 1.1, expected a probability in [0, 1]", [] { generateMaze({512, 512, 8, 1.1}, 1); });
+  refuses("parameter rows is 8193, expected at most 2^26 cells with 8192 columns", [] {
+    generateRandomFill({8192, 8193, 0.1, true}, 1);
+  });
+  refuses("parameter share is nan, expected a share of at least 0 and below 1", [] {
+    generateRandomFill({8, 8, std::nan(""), true}, 1);
+  });
+  refuses("parameter door_cells is 9, expected at least 1 and at most room_size", [] {
+    generateRooms({64, 64, 8, 9, 0.5}, 1);
+  });
+  refuses("parameter rounds is -1, expected a number from 0 to 100", [] { generateCaves({64, 64, 0.4, -1}, 1); });
+  refuses("parameter columns is 7, expected at least 8", [] { generateCaves({7, 64, 0.4, 4}, 1); });
 }
 
 }  // namespace
