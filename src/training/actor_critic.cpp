@@ -85,8 +85,7 @@ std::vector<std::uint8_t> ActorCritic::checkpoint() const {
 }
 
 void ActorCritic::restore(const std::vector<std::uint8_t>& checkpoint) try {
-  const nlohmann::json content = checkpointJson(checkpoint);
-  if (content.at("format") != kActorCriticFormat) throw std::invalid_argument("another format");
+  const nlohmann::json content = checkpointJson(checkpoint, kActorCriticFormat);
   const Eigen::VectorXf policy = vectorFromJson(content.at("policy"));
   const Eigen::VectorXf critic = vectorFromJson(content.at("critic"));
   auto variances = content.at("advantage_variances").get<std::vector<double>>();

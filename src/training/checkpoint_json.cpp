@@ -54,10 +54,12 @@ Json checkpointJson(const std::string& text) {
   return Json::parse(text);
 }
 
-Json checkpointJson(const std::vector<std::uint8_t>& cbor) {
+Json checkpointJson(const std::vector<std::uint8_t>& cbor, const std::string& format) {
   DepthCheck check;
   Json::sax_parse(cbor, &check, Json::input_format_t::cbor);
-  return Json::from_cbor(cbor);
+  Json json = Json::from_cbor(cbor);
+  if (json.at("format") != format) throw std::invalid_argument("another format");
+  return json;
 }
 
 std::int64_t wholeNumber(const Json& json, std::int64_t lowest, std::int64_t highest) {

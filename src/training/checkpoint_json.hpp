@@ -15,8 +15,8 @@ namespace lstm_planner {
 
 /// Throws std::invalid_argument when the text is no JSON, or of more than 16 levels.
 nlohmann::json checkpointJson(const std::string& text);
-/// The same of bytes in CBOR.
-nlohmann::json checkpointJson(const std::vector<std::uint8_t>& cbor);
+/// The same of bytes in CBOR, which are to say that they have this `format`.
+nlohmann::json checkpointJson(const std::vector<std::uint8_t>& cbor, const std::string& format);
 
 /// Throws std::invalid_argument unless it is a whole number from `lowest` to `highest`.
 std::int64_t wholeNumber(const nlohmann::json& json, std::int64_t lowest, std::int64_t highest);

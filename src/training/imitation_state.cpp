@@ -86,8 +86,7 @@ std::vector<std::uint8_t> toBytes(const ImitationState& state) {
 }
 
 ImitationState imitationStateFrom(const std::vector<std::uint8_t>& bytes) try {
-  const Json json = checkpointJson(bytes);
-  if (json.at("format") != kFormat) throw std::invalid_argument("another format");
+  const Json json = checkpointJson(bytes, kFormat);
   ImitationState state;
   for (const Json& learner : json.at("learners")) state.learners.push_back(vectorFromJson(learner));
   state.training.weights = vectorFromJson(json.at("weights"));

@@ -93,8 +93,7 @@ std::vector<std::uint8_t> QLearner::checkpoint() const {
 }
 
 void QLearner::restore(const std::vector<std::uint8_t>& checkpoint) try {
-  const nlohmann::json content = checkpointJson(checkpoint);
-  if (content.at("format") != kQLearningFormat) throw std::invalid_argument("another format");
+  const nlohmann::json content = checkpointJson(checkpoint, kQLearningFormat);
   const Eigen::VectorXf weights = vectorFromJson(content.at("weights"));
   const Eigen::VectorXf target_weights = vectorFromJson(content.at("target_weights"));
   if (weights.size() != weights_.size() || target_weights.size() != weights_.size()) {
