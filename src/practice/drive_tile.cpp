@@ -52,7 +52,7 @@ CriticSums DriveTile::judge(const Eigen::VectorXf& critic_parameters) {
 
 /// Advantages from the last step back.
 void DriveTile::judgeQueue(int queue, CriticSums* sums) {
-  Advantages advantages(parameters_.discount, parameters_.advantage_decay, 0.0);
+  Advantages advantages(parameters_.discount, parameters_.advantage_decay);
   for (int time = queues_.steps(); time-- > 0;) {
     DriveSlot& slot = queues_.at(time, queue);
     if (!slot.episode || slot.episode->is_example) continue;

@@ -69,7 +69,6 @@ class ActorCritic {
 
   /// By set: what is a large gain in the open is a small one in a maze, and each is to count alike. Starts with 1.
   std::vector<double>& advantageVariances() { return advantage_variances_; }
-  const std::vector<double>& advantageVariances() const { return advantage_variances_; }
 
   /// An update is done, with so many steps of the agents.
   void finishUpdate(double steps);
@@ -102,11 +101,10 @@ class ActorCritic {
 /// estimation", ICLR 2016), from the last step back.
 class Advantages {
  public:
-  /// `value_behind`: the critic's, of the state after the last step.
-  Advantages(double discount, double decay, double value_behind)
-      : discount_(discount), decay_(decay), next_value_(value_behind) {}
+  Advantages(double discount, double decay) : discount_(discount), decay_(decay) {}
 
-  /// How a step ended: an episode that is cut off would have gone on from much the same place.
+  /// How a step ended, which is not kNone the first time: an episode that is cut off would have gone on from much the
+  /// same place.
   enum class End { kNone, kArrived, kCutOff };
 
   /// Of the step before the last one asked for. `value`: the critic's, of the state in which it starts.
@@ -121,7 +119,7 @@ class Advantages {
  private:
   double discount_;
   double decay_;
-  double next_value_;
+  double next_value_ = 0.0;
   double advantage_ = 0.0;
 };
 

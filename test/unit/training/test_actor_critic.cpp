@@ -35,20 +35,21 @@ TEST(Advantages, AreTheDiscountedSumOfTheErrorsToCome) {
   constexpr double kDiscount = 0.9;
   constexpr double kDecay = 0.8;
   const double rewards[] = {1.0, -2.0, 3.0};
-  const double values[] = {0.5, 0.25, -1.0, 2.0};
-  Advantages advantages(kDiscount, kDecay, values[3]);
+  const double values[] = {0.5, 0.25, -1.0, 0.0};  // nothing after the arrival
+  Advantages advantages(kDiscount, kDecay);
   for (int step = 2; step >= 0; --step) {
-    double expected = 0.0;  // Eq. 16 of the paper, cut off at the end of the window
+    double expected = 0.0;  // Eq. 16 of the paper
     for (int later = step; later < 3; ++later) {
       const double error = rewards[later] + kDiscount * values[later + 1] - values[later];
       expected += std::pow(kDiscount * kDecay, later - step) * error;
     }
-    EXPECT_NEAR(advantages.before(rewards[step], values[step], Advantages::End::kNone), expected, 1e-12) << step;
+    const auto end = step == 2 ? Advantages::End::kArrived : Advantages::End::kNone;
+    EXPECT_NEAR(advantages.before(rewards[step], values[step], end), expected, 1e-12) << step;
   }
 }
 
 TEST(Advantages, NothingComesAfterAnArrivalAndTheSameAfterACut) {
-  Advantages advantages(0.9, 0.8, 100.0);
+  Advantages advantages(0.9, 0.8);
   EXPECT_DOUBLE_EQ(advantages.before(2.0, 0.5, Advantages::End::kArrived), 2.0 - 0.5);
   EXPECT_DOUBLE_EQ(advantages.before(2.0, 0.5, Advantages::End::kCutOff), 2.0 + 0.9 * 0.5 - 0.5);
 }
