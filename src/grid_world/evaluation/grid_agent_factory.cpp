@@ -28,30 +28,6 @@ GridAgentMaker aStarMaker(const GridAgentOptions& options) {
   return [parameters](const PassableGrid& grid) { return std::make_unique<AStarAgent>(grid, parameters); };
 }
 
-GridAgentMaker boundaryMaker(const GridAgentOptions& options) {
-  BoundaryParameters parameters;
-  parameters.corner_cutting = options.corner_cutting;
-  return [parameters](const PassableGrid& /*grid*/) { return std::make_unique<BoundaryFollower>(parameters); };
-}
-
-GridAgentMaker rollingEscapeMaker(const GridAgentOptions& options) {
-  GridGuideParameters parameters;
-  parameters.corner_cutting = options.corner_cutting;
-  return [parameters](const PassableGrid& /*grid*/) { return std::make_unique<GridGuide>(parameters); };
-}
-
-GridAgentMaker greedyMaker(const GridAgentOptions& options) {
-  const CornerCutting corner_cutting = options.corner_cutting;
-  return [corner_cutting](const PassableGrid& /*grid*/) { return std::make_unique<GreedyAgent>(corner_cutting); };
-}
-
-GridAgentMaker dStarMaker(const GridAgentOptions& options) {
-  const CornerCutting corner_cutting = options.corner_cutting;
-  return [corner_cutting](const PassableGrid& grid) {
-    return std::make_unique<DStarAgent>(grid.columns(), grid.rows(), corner_cutting);
-  };
-}
-
 GridAgentMaker networkMaker(const GridAgentOptions& options) {
   if (options.model.empty()) {
     throw std::invalid_argument("agent " + options.agent + " has no model, expected an ONNX file");
@@ -91,11 +67,26 @@ std::string shippedModelOf(const std::string& name) {
 }
 
 GridAgentMaker gridAgentMaker(const GridAgentOptions& options) {
+  const CornerCutting corners = options.corner_cutting;
   if (options.agent == "astar") return aStarMaker(options);
-  if (options.agent == "dstar") return dStarMaker(options);
-  if (options.agent == "rolling_escape") return rollingEscapeMaker(options);
-  if (options.agent == "greedy") return greedyMaker(options);
-  if (options.agent == "boundary") return boundaryMaker(options);
+  if (options.agent == "dstar") {
+    return [corners](const PassableGrid& grid) {
+      return std::make_unique<DStarAgent>(grid.columns(), grid.rows(), corners);
+    };
+  }
+  if (options.agent == "rolling_escape") {
+    GridGuideParameters parameters;
+    parameters.corner_cutting = corners;
+    return [parameters](const PassableGrid& /*grid*/) { return std::make_unique<GridGuide>(parameters); };
+  }
+  if (options.agent == "greedy") {
+    return [corners](const PassableGrid& /*grid*/) { return std::make_unique<GreedyAgent>(corners); };
+  }
+  if (options.agent == "boundary") {
+    return [corners](const PassableGrid& /*grid*/) {
+      return std::make_unique<BoundaryFollower>(BoundaryParameters{corners});
+    };
+  }
   if (isNetworkAgent(options.agent)) return networkMaker(options);
   throw std::invalid_argument("there is no agent '" + options.agent + "', expected one of " + joined(gridAgentNames()));
 }
