@@ -83,10 +83,7 @@ LossSum SequenceGradient::loss(const Eigen::VectorXf& parameters, const Batch& b
   for (const Batch& group : groupsOf(batch)) {
     start(parameters, lanesOf(group));
     const Index steps = lanes_.front().steps;
-    for (Index step = 0; step < steps; ++step) {
-      const Eigen::Map<const Rows> preferences = forward(parameters, step);
-      loss_ == Loss::kEuclidean ? addEuclidean(preferences, step, &sum) : addCrossEntropy(preferences, step, &sum);
-    }
+    for (Index step = 0; step < steps; ++step) addLoss(forward(parameters, step), step, &sum);
     if (gradient != nullptr) network_.backward(parameters, static_cast<int>(steps), *gradient);
   }
   return sum;
@@ -142,30 +139,17 @@ Index SequenceGradient::labelOf(Index lane, Index step) const {
   return piece.sequence->labels[piece.first + step];
 }
 
-/// With the softmax; leaves the derivative by the preferences to the network, as addEuclidean() does.
-void SequenceGradient::addCrossEntropy(const Eigen::Map<const Rows>& preferences, Index step, LossSum* sum) {
+/// Leaves the derivative by the preferences to the network. That of the cross-entropy goes through the softmax.
+void SequenceGradient::addLoss(const Eigen::Map<const Rows>& preferences, Index step, LossSum* sum) {
+  const bool is_euclidean = loss_ == Loss::kEuclidean;
   Eigen::Map<Rows> gradient(network_.outputGradient(static_cast<int>(step)), preferences.rows(), kLanes);
-  largest_ = preferences.colwise().maxCoeff();
-  gradient = (preferences.rowwise() - largest_).exp();
-  total_ = gradient.colwise().sum();
-  for (Index lane = 0; lane < kLanes; ++lane) {
-    const float weight = weightOf(lane, step);
-    if (!(weight > 0.0f)) {
-      gradient.col(lane).setZero();
-      continue;
-    }
-    const Index label = labelOf(lane, step);
-    sum->loss += static_cast<double>(weight) * (std::log(static_cast<double>(total_[lane])) -
-                                                static_cast<double>(preferences(label, lane) - largest_[lane]));
-    note(preferences.col(lane), label, weight, sum);
-    gradient.col(lane) *= weight / total_[lane];
-    gradient(label, lane) -= weight;
+  if (is_euclidean) {
+    gradient = preferences;
+  } else {
+    largest_ = preferences.colwise().maxCoeff();
+    gradient = (preferences.rowwise() - largest_).exp();
+    total_ = gradient.colwise().sum();
   }
-}
-
-void SequenceGradient::addEuclidean(const Eigen::Map<const Rows>& preferences, Index step, LossSum* sum) {
-  Eigen::Map<Rows> gradient(network_.outputGradient(static_cast<int>(step)), preferences.rows(), kLanes);
-  gradient = preferences;
   for (Index lane = 0; lane < kLanes; ++lane) {
     const float weight = weightOf(lane, step);
     if (!(weight > 0.0f)) {
@@ -173,10 +157,19 @@ void SequenceGradient::addEuclidean(const Eigen::Map<const Rows>& preferences, I
       continue;
     }
     const Index label = labelOf(lane, step);
-    gradient(label, lane) -= 1.0f;
-    sum->loss += static_cast<double>(weight) * 0.5 * static_cast<double>(gradient.col(lane).matrix().squaredNorm());
+    double error = 0.0;
+    if (is_euclidean) {
+      gradient(label, lane) -= 1.0f;
+      error = 0.5 * static_cast<double>(gradient.col(lane).matrix().squaredNorm());
+      gradient.col(lane) *= weight;
+    } else {
+      error =
+          std::log(static_cast<double>(total_[lane])) - static_cast<double>(preferences(label, lane) - largest_[lane]);
+      gradient.col(lane) *= weight / total_[lane];
+      gradient(label, lane) -= weight;
+    }
+    sum->loss += static_cast<double>(weight) * error;
     note(preferences.col(lane), label, weight, sum);
-    gradient.col(lane) *= weight;
   }
 }
 

@@ -76,8 +76,7 @@ class SequenceGradient {
   Eigen::Map<const Rows> forward(const Eigen::VectorXf& parameters, Eigen::Index step);
   float weightOf(Eigen::Index lane, Eigen::Index step) const;
   Eigen::Index labelOf(Eigen::Index lane, Eigen::Index step) const;
-  void addCrossEntropy(const Eigen::Map<const Rows>& preferences, Eigen::Index step, LossSum* sum);
-  void addEuclidean(const Eigen::Map<const Rows>& preferences, Eigen::Index step, LossSum* sum);
+  void addLoss(const Eigen::Map<const Rows>& preferences, Eigen::Index step, LossSum* sum);
 
   LayerStack layers_;  ///< without the softmax
   Loss loss_;
