@@ -68,13 +68,11 @@ GeodesicField::GeodesicField(const OccupancyGrid& grid, const DistanceField& dis
   // What a metre costs in each cell, 0 where the robot does not fit.
   std::vector<float> cost(cells, 0.0f);
   const double margin = options.comfort - options.clearance;
-  for (int row = 0; row < rows_; ++row) {
-    for (int column = 0; column < columns_; ++column) {
-      const float distance = distances.at({column, row});
-      if (distance <= 0.0f || distance < options.clearance) continue;
-      const double nearness = margin > 0.0 ? std::max(0.0, (options.comfort - distance) / margin) : 0.0;
-      cost[offsetOf({column, row}, columns_)] = static_cast<float>(1.0 + options.reluctance * nearness);
-    }
+  for (const CellIndex cell : grid.cells()) {
+    const float distance = distances.at(cell);
+    if (distance <= 0.0f || distance < options.clearance) continue;
+    const double nearness = margin > 0.0 ? std::max(0.0, (options.comfort - distance) / margin) : 0.0;
+    cost[offsetOf(cell, columns_)] = static_cast<float>(1.0 + options.reluctance * nearness);
   }
   const auto costAt = [&](int column, int row) {
     return grid.contains({column, row}) ? cost[offsetOf({column, row}, columns_)] : 0.0f;

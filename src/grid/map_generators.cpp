@@ -29,9 +29,7 @@ PassableGrid blockAtRandom(int columns, int rows, double share, Random& random) 
 /// Passable cells are 1, others 0.
 cv::Mat1b imageOf(const PassableGrid& grid) {
   cv::Mat1b image(grid.rows(), grid.columns());
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) image(row, column) = grid.passable({column, row}) ? 1 : 0;
-  }
+  for (const CellIndex cell : grid.cells()) image(cell.row, cell.column) = grid.passable(cell) ? 1 : 0;
   return image;
 }
 
@@ -39,11 +37,7 @@ PassableGrid smoothed(const PassableGrid& grid) {
   cv::Mat1b open_around;
   cv::boxFilter(imageOf(grid), open_around, CV_8U, {3, 3}, {-1, -1}, false, cv::BORDER_CONSTANT);
   PassableGrid result(grid.columns(), grid.rows(), false);
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      result.set({column, row}, open_around(row, column) >= 5);
-    }
-  }
+  for (const CellIndex cell : grid.cells()) result.set(cell, open_around(cell.row, cell.column) >= 5);
   return result;
 }
 
@@ -168,10 +162,8 @@ void keepLargestRegion(PassableGrid* grid) {
     largest = label;
     largest_area = regions(label, cv::CC_STAT_AREA);
   }
-  for (int row = 0; row < grid->rows(); ++row) {
-    for (int column = 0; column < grid->columns(); ++column) {
-      grid->set({column, row}, largest > 0 && labels(row, column) == largest);
-    }
+  for (const CellIndex cell : grid->cells()) {
+    grid->set(cell, largest > 0 && labels(cell.row, cell.column) == largest);
   }
 }
 

@@ -185,12 +185,9 @@ cv::Mat readImage(const std::string& yaml_path, const std::string& name) {
 void checkHasFreeCell(const OccupancyGrid& grid, const MapDescription& map, double free_below,
                       const std::string& path) {
   long occupied = 0;
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      const Cell cell = grid.at({column, row});
-      if (cell == Cell::kFree) return;
-      occupied += cell == Cell::kOccupied ? 1 : 0;
-    }
+  for (const CellIndex cell : grid.cells()) {
+    if (grid.at(cell) == Cell::kFree) return;
+    occupied += grid.at(cell) == Cell::kOccupied ? 1 : 0;
   }
   std::ostringstream message;
   message << "the map " << path << " has no free cell by map_server's rule: " << occupied << " of "
@@ -270,10 +267,8 @@ std::pair<std::string, double> splitFreeThreshold(const std::string& text) {
 OccupancyGrid readClosedMap(const std::string& text) {
   const auto [file, free_threshold] = splitFreeThreshold(text);
   OccupancyGrid grid = readMapServerMap(file, free_threshold);
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      if (grid.at({column, row}) == Cell::kUnknown) grid.set({column, row}, Cell::kOccupied);
-    }
+  for (const CellIndex cell : grid.cells()) {
+    if (grid.at(cell) == Cell::kUnknown) grid.set(cell, Cell::kOccupied);
   }
   return grid;
 }

@@ -167,11 +167,7 @@ int labelOpenAreas(const OccupancyGrid& grid, double radius, cv::Mat1i* labels) 
   // Half a diagonal: the distance joins the centres of cells, and the obstacle starts at the edge of its own.
   const double clearance = radius + grid.resolution() * M_SQRT1_2;
   cv::Mat1b fits(grid.rows(), grid.columns());
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      fits(row, column) = distances.at({column, row}) >= clearance ? 1 : 0;
-    }
-  }
+  for (const CellIndex cell : grid.cells()) fits(cell.row, cell.column) = distances.at(cell) >= clearance ? 1 : 0;
   return cv::connectedComponents(fits, *labels, kSides, CV_32S) - 1;
 }
 

@@ -27,11 +27,9 @@ OccupancyGrid enlarge(const PassableGrid& maze, int wall, int corridor, double r
   std::vector<int> rows;
   for (int i = 0; i < maze.rows(); ++i) rows.insert(rows.end(), static_cast<std::size_t>(i % 2 ? corridor : wall), i);
   OccupancyGrid grid(static_cast<int>(columns.size()), static_cast<int>(rows.size()), resolution);
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      const CellIndex from{columns[static_cast<std::size_t>(column)], rows[static_cast<std::size_t>(row)]};
-      if (!maze.passable(from)) grid.set({column, row}, Cell::kOccupied);
-    }
+  for (const CellIndex cell : grid.cells()) {
+    const CellIndex from{columns[static_cast<std::size_t>(cell.column)], rows[static_cast<std::size_t>(cell.row)]};
+    if (!maze.passable(from)) grid.set(cell, Cell::kOccupied);
   }
   return grid;
 }
@@ -60,11 +58,9 @@ OccupancyGrid generateRoomsWorld(const RoomsWorldParameters& parameters, std::ui
   cells.rows = parameters.rows * (cells.room_size + 1) + 1;
   const PassableGrid rooms = generateRooms(cells, seed);
   OccupancyGrid grid(rooms.columns(), rooms.rows(), parameters.resolution);
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      const bool edge = column + 1 == grid.columns() || row + 1 == grid.rows();
-      if (edge || !rooms.passable({column, row})) grid.set({column, row}, Cell::kOccupied);
-    }
+  for (const CellIndex cell : grid.cells()) {
+    const bool edge = cell.column + 1 == grid.columns() || cell.row + 1 == grid.rows();
+    if (edge || !rooms.passable(cell)) grid.set(cell, Cell::kOccupied);
   }
   return grid;
 }

@@ -18,6 +18,33 @@ struct CellIndex {
 inline bool operator==(CellIndex a, CellIndex b) { return a.column == b.column && a.row == b.row; }
 inline bool operator!=(CellIndex a, CellIndex b) { return !(a == b); }
 
+/// All cells of a grid, row by row, for loops: `for (const CellIndex cell : grid.cells())`.
+class CellRange {
+ public:
+  class Iterator {
+   public:
+    Iterator(int columns, CellIndex cell) : columns_(columns), cell_(cell) {}
+    CellIndex operator*() const { return cell_; }
+    Iterator& operator++() {
+      if (++cell_.column == columns_) cell_ = {0, cell_.row + 1};
+      return *this;
+    }
+    bool operator!=(const Iterator& other) const { return cell_ != other.cell_; }
+
+   private:
+    int columns_;
+    CellIndex cell_;
+  };
+
+  CellRange(int columns, int rows) : columns_(columns), rows_(rows) {}
+  Iterator begin() const { return {columns_, {0, 0}}; }
+  Iterator end() const { return {columns_, {0, rows_}}; }
+
+ private:
+  int columns_;
+  int rows_;
+};
+
 /// A grid with a metric scale. Row 0 is the lowest, column 0 the leftmost. `origin` is the pose of the lower left
 /// corner of cell (0, 0) in the map frame, with any yaw. Cells outside are kUnknown.
 class OccupancyGrid {
@@ -31,6 +58,7 @@ class OccupancyGrid {
   int rows() const { return rows_; }
   double resolution() const { return resolution_; }
   const Pose2& origin() const { return origin_; }
+  CellRange cells() const { return {columns_, rows_}; }
 
   bool contains(CellIndex index) const {
     return index.column >= 0 && index.row >= 0 && index.column < columns_ && index.row < rows_;

@@ -22,6 +22,7 @@ class PassableGrid {
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }
+  CellRange cells() const { return {columns_, rows_}; }
   bool contains(CellIndex cell) const {
     return cell.column >= 0 && cell.row >= 0 && cell.column < columns_ && cell.row < rows_;
   }

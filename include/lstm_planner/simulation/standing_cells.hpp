@@ -14,11 +14,8 @@ inline double distanceNeeded(double radius, const OccupancyGrid& grid) { return 
 /// Free cells on which such a disc can stand, row by row.
 inline std::vector<CellIndex> standingCells(const OccupancyGrid& grid, const DistanceField& distances, double needed) {
   std::vector<CellIndex> cells;
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      const CellIndex cell{column, row};
-      if (grid.at(cell) == Cell::kFree && distances.at(cell) >= needed) cells.push_back(cell);
-    }
+  for (const CellIndex cell : grid.cells()) {
+    if (grid.at(cell) == Cell::kFree && distances.at(cell) >= needed) cells.push_back(cell);
   }
   return cells;
 }

@@ -54,11 +54,9 @@ CellIndex drawCell(const std::vector<CellIndex>& cells, Random& random) {
 
 std::vector<CellIndex> cellsFrom(const PassableGrid& grid, const GridDistances& distances, float shortest) {
   std::vector<CellIndex> cells;
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      const float distance = distances.at({column, row});
-      if (std::isfinite(distance) && distance >= shortest) cells.push_back({column, row});
-    }
+  for (const CellIndex cell : grid.cells()) {
+    const float distance = distances.at(cell);
+    if (std::isfinite(distance) && distance >= shortest) cells.push_back(cell);
   }
   return cells;
 }

@@ -23,10 +23,8 @@ double straightDistance(CellIndex a, CellIndex b) {
 
 PassableGrid mirrored(const PassableGrid& grid) {
   PassableGrid result(grid.rows(), grid.columns(), false);
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      if (grid.passable({column, row})) result.set({row, column}, true);
-    }
+  for (const CellIndex cell : grid.cells()) {
+    if (grid.passable(cell)) result.set({cell.row, cell.column}, true);
   }
   return result;
 }
@@ -44,18 +42,16 @@ std::vector<std::vector<CellIndex>> drawStarts(const CourseMap& map, const GridD
                                                const GridCourseParameters& parameters, Random& random) {
   std::vector<std::vector<CellIndex>> starts(bucketsUpTo(longestOf(parameters), parameters));
   std::vector<std::size_t> seen(starts.size(), 0);
-  for (int row = 0; row < map.grid.rows(); ++row) {
-    for (int column = 0; column < map.grid.columns(); ++column) {
-      const double length = static_cast<double>(distances.at({column, row}));
-      if (!(length >= parameters.min_length && length <= longestOf(parameters))) continue;
-      const std::size_t bucket =
-          std::min(static_cast<std::size_t>((length - parameters.min_length) / kBucketWidth), starts.size() - 1);
-      ++seen[bucket];
-      if (starts[bucket].size() < kStartsABucket) {
-        starts[bucket].push_back({column, row});
-      } else if (uniform(random) * static_cast<double>(seen[bucket]) < static_cast<double>(kStartsABucket)) {
-        starts[bucket][uniformIndex(random, kStartsABucket)] = {column, row};
-      }
+  for (const CellIndex cell : map.grid.cells()) {
+    const double length = static_cast<double>(distances.at(cell));
+    if (!(length >= parameters.min_length && length <= longestOf(parameters))) continue;
+    const std::size_t bucket =
+        std::min(static_cast<std::size_t>((length - parameters.min_length) / kBucketWidth), starts.size() - 1);
+    ++seen[bucket];
+    if (starts[bucket].size() < kStartsABucket) {
+      starts[bucket].push_back(cell);
+    } else if (uniform(random) * static_cast<double>(seen[bucket]) < static_cast<double>(kStartsABucket)) {
+      starts[bucket][uniformIndex(random, kStartsABucket)] = cell;
     }
   }
   return starts;

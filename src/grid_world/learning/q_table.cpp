@@ -22,14 +22,11 @@ QTable::QTable(const QTableParameters& parameters, const PassableGrid& grid, Cel
     : parameters_(parameters), grid_(grid), goal_(goal), values_(grid.size()) {
   validate(parameters);
   if (!grid.passable(goal)) throw std::invalid_argument("the goal of a table is blocked, expected a passable cell");
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      const CellIndex cell{column, row};
-      Values& values = values_[grid.offset(cell)];
-      for (int direction = 0; direction < kGridMoveCount; ++direction) {
-        const bool possible = grid.passable(cell) && movePossible(grid, cell, direction, parameters.corner_cutting);
-        values[static_cast<std::size_t>(direction)] = possible ? 0.0f : -std::numeric_limits<float>::infinity();
-      }
+  for (const CellIndex cell : grid.cells()) {
+    Values& values = values_[grid.offset(cell)];
+    for (int direction = 0; direction < kGridMoveCount; ++direction) {
+      const bool possible = grid.passable(cell) && movePossible(grid, cell, direction, parameters.corner_cutting);
+      values[static_cast<std::size_t>(direction)] = possible ? 0.0f : -std::numeric_limits<float>::infinity();
     }
   }
 }

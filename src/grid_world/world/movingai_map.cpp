@@ -115,12 +115,9 @@ PassableGrid readMovingAiMap(const std::string& path, PassableRule rule) {
   const std::array<Terrain, 256> terrain = terrainOf(rule);
   const std::vector<std::string_view> rows = readRows(&lines, size, terrain);
   PassableGrid grid(size.columns, size.rows, false);
-  for (CellIndex cell; cell.row < size.rows; ++cell.row) {
-    const std::string_view letters = rows[static_cast<std::size_t>(cell.row)];
-    for (cell.column = 0; cell.column < size.columns; ++cell.column) {
-      const char letter = letters[static_cast<std::size_t>(cell.column)];
-      grid.set(cell, terrain[static_cast<unsigned char>(letter)] == Terrain::kPassable);
-    }
+  for (const CellIndex cell : grid.cells()) {
+    const char letter = rows[static_cast<std::size_t>(cell.row)][static_cast<std::size_t>(cell.column)];
+    grid.set(cell, terrain[static_cast<unsigned char>(letter)] == Terrain::kPassable);
   }
   return grid;
 }

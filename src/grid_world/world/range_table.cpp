@@ -21,9 +21,7 @@ RangeTable::RangeTable(const PassableGrid& grid) : columns_(grid.columns()), ran
   for (int row = grid.rows(); row-- > 0;) {
     for (int column = grid.columns(); column-- > 0;) fill({column, row}, 0);
   }
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) fill({column, row}, kHalf);
-  }
+  for (const CellIndex cell : grid.cells()) fill(cell, kHalf);
 }
 
 }  // namespace lstm_planner

@@ -38,10 +38,8 @@ class Draw {
  public:
   Draw(const PassableGrid& grid, const std::string& map_name, std::uint64_t seed)
       : grid_(grid), map_name_(map_name), random_(seed) {
-    for (CellIndex cell; cell.row < grid.rows(); ++cell.row) {
-      for (cell.column = 0; cell.column < grid.columns(); ++cell.column) {
-        if (grid.passable(cell)) cells_.push_back(cell);
-      }
+    for (const CellIndex cell : grid.cells()) {
+      if (grid.passable(cell)) cells_.push_back(cell);
     }
   }
 

@@ -11,9 +11,7 @@ namespace lstm_planner {
 inline PassableGrid randomGrid(int columns, int rows, unsigned blocked_percent, std::mt19937& random,
                                const std::vector<CellIndex>& kept_free = {}) {
   PassableGrid grid(columns, rows, true);
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) grid.set({column, row}, random() % 100 >= blocked_percent);
-  }
+  for (const CellIndex cell : grid.cells()) grid.set(cell, random() % 100 >= blocked_percent);
   for (const CellIndex cell : kept_free) grid.set(cell, true);
   return grid;
 }

@@ -38,9 +38,7 @@ std::size_t reachedCount(const PassableGrid& grid) {
   const CellIndex goal{static_cast<int>(offset % line), static_cast<int>(offset / line)};
   const GridDistances distances(grid, goal, CornerCutting::kForbidden);
   std::size_t count = 0;
-  for (CellIndex cell; cell.row < grid.rows(); ++cell.row) {
-    for (cell.column = 0; cell.column < grid.columns(); ++cell.column) count += std::isfinite(distances.at(cell));
-  }
+  for (const CellIndex cell : grid.cells()) count += std::isfinite(distances.at(cell));
   return count;
 }
 

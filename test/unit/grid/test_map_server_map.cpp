@@ -193,11 +193,7 @@ TEST_F(MapServerMap, RefusesBrokenImages) {
 TEST_F(MapServerMap, ReadsBackWhatItWrote) {
   OccupancyGrid grid(17, 9, 0.05, {-1.0 / 3.0, 0.1, 0.7});
   Random random(1);
-  for (int row = 0; row < 9; ++row) {
-    for (int column = 0; column < 17; ++column) {
-      grid.set({column, row}, static_cast<Cell>(uniformIndex(random, 3)));
-    }
-  }
+  for (const CellIndex cell : grid.cells()) grid.set(cell, static_cast<Cell>(uniformIndex(random, 3)));
   writeMapServerMap(in("written"), grid);
   const OccupancyGrid read = readMapServerMap(in("written.yaml"));
   ASSERT_EQ(read.columns(), 17);
@@ -205,9 +201,7 @@ TEST_F(MapServerMap, ReadsBackWhatItWrote) {
   EXPECT_EQ(read.resolution(), grid.resolution());
   EXPECT_EQ(read.origin().x, grid.origin().x);
   EXPECT_EQ(read.origin().yaw, grid.origin().yaw);
-  for (int row = 0; row < 9; ++row) {
-    for (int column = 0; column < 17; ++column) EXPECT_EQ(read.at({column, row}), grid.at({column, row}));
-  }
+  for (const CellIndex cell : grid.cells()) EXPECT_EQ(read.at(cell), grid.at(cell));
   EXPECT_THROW(writeMapServerMap(in("absent/written"), grid), MapFileError);
 }
 
@@ -220,11 +214,9 @@ TEST(RealMaps, CanAllBeRead) {
     const OccupancyGrid grid = readMapServerMap(folder + name + ".yaml");
     int free = 0;
     int occupied = 0;
-    for (int row = 0; row < grid.rows(); ++row) {
-      for (int column = 0; column < grid.columns(); ++column) {
-        free += grid.at({column, row}) == Cell::kFree ? 1 : 0;
-        occupied += grid.at({column, row}) == Cell::kOccupied ? 1 : 0;
-      }
+    for (const CellIndex cell : grid.cells()) {
+      free += grid.at(cell) == Cell::kFree ? 1 : 0;
+      occupied += grid.at(cell) == Cell::kOccupied ? 1 : 0;
     }
     EXPECT_GT(free, occupied) << name << ": a building is mostly floor";
     EXPECT_GT(occupied, 1000) << name;

@@ -17,10 +17,8 @@ int below(int limit, SmallGridRandom* random) {
 PassableGrid filledGrid(SmallGridRandom* random) {
   PassableGrid grid(3 + below(18, random), 3 + below(18, random), true);
   const int percent = 10 + below(41, random);
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      if (below(100, random) < percent) grid.set({column, row}, false);
-    }
+  for (const CellIndex cell : grid.cells()) {
+    if (below(100, random) < percent) grid.set(cell, false);
   }
   return grid;
 }
@@ -76,13 +74,11 @@ CellIndex freeCell(const PassableGrid& grid, SmallGridRandom* random) {
 SmallGrid drawnGrid(const std::vector<std::string>& rows) {
   SmallGrid world;
   world.grid = PassableGrid(static_cast<int>(rows[0].size()), static_cast<int>(rows.size()), true);
-  for (int row = 0; row < world.grid.rows(); ++row) {
-    for (int column = 0; column < world.grid.columns(); ++column) {
-      const char letter = rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
-      if (letter == '#') world.grid.set({column, row}, false);
-      if (letter == 'S') world.start = {column, row};
-      if (letter == 'G') world.goal = {column, row};
-    }
+  for (const CellIndex cell : world.grid.cells()) {
+    const char letter = rows[static_cast<std::size_t>(cell.row)][static_cast<std::size_t>(cell.column)];
+    if (letter == '#') world.grid.set(cell, false);
+    if (letter == 'S') world.start = cell;
+    if (letter == 'G') world.goal = cell;
   }
   return world;
 }

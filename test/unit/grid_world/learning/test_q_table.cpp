@@ -20,10 +20,8 @@ PassableGrid smallMaze() {
 
 std::vector<CellIndex> freeCells(const PassableGrid& grid) {
   std::vector<CellIndex> cells;
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      if (grid.passable({column, row})) cells.push_back({column, row});
-    }
+  for (const CellIndex cell : grid.cells()) {
+    if (grid.passable(cell)) cells.push_back(cell);
   }
   return cells;
 }

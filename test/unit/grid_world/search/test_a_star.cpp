@@ -105,16 +105,14 @@ double cheapest(const PassableGrid& grid, CellIndex start, CellIndex goal, doubl
   cost[grid.offset(start)] = 0.0;
   for (bool changed = true; changed;) {
     changed = false;
-    for (CellIndex cell{0, 0}; cell.row < grid.rows(); ++cell.row) {
-      for (cell.column = 0; cell.column < grid.columns(); ++cell.column) {
-        for (int direction = 0; direction < kGridMoveCount; direction += step) {
-          if (!movePossible(grid, cell, direction, CornerCutting::kForbidden)) continue;
-          const double through = cost[grid.offset(cell)] + (direction % 2 == 0 ? straight : diagonal);
-          double& beside = cost[grid.offset(cellBeside(cell, direction))];
-          if (through < beside - 1e-9) {
-            beside = through;
-            changed = true;
-          }
+    for (const CellIndex cell : grid.cells()) {
+      for (int direction = 0; direction < kGridMoveCount; direction += step) {
+        if (!movePossible(grid, cell, direction, CornerCutting::kForbidden)) continue;
+        const double through = cost[grid.offset(cell)] + (direction % 2 == 0 ? straight : diagonal);
+        double& beside = cost[grid.offset(cellBeside(cell, direction))];
+        if (through < beside - 1e-9) {
+          beside = through;
+          changed = true;
         }
       }
     }

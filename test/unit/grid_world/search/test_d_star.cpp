@@ -15,11 +15,7 @@ namespace {
 constexpr CornerCutting kBothRules[] = {CornerCutting::kForbidden, CornerCutting::kAllowed};
 
 void tellAll(const PassableGrid& grid, DStar& search) {
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      search.setPassable({column, row}, grid.passable({column, row}));
-    }
-  }
+  for (const CellIndex cell : grid.cells()) search.setPassable(cell, grid.passable(cell));
 }
 
 /// Along the first moves from cell to cell.

@@ -25,9 +25,7 @@ class MovingAiMap : public MovingAiFiles {
 /// One letter a cell: `.` passable, `@` not; rows behind each other.
 std::string lettersOf(const PassableGrid& grid) {
   std::string letters;
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) letters += grid.passable({column, row}) ? '.' : '@';
-  }
+  for (const CellIndex cell : grid.cells()) letters += grid.passable(cell) ? '.' : '@';
   return letters;
 }
 
@@ -129,9 +127,7 @@ TEST_F(MovingAiMap, RefusesWhatIsNoFile) {
 TEST_F(MovingAiMap, IsWrittenAsItIsRead) {
   Random random(1);
   PassableGrid grid(31, 17, true);
-  for (CellIndex cell; cell.row < grid.rows(); ++cell.row) {
-    for (cell.column = 0; cell.column < grid.columns(); ++cell.column) grid.set(cell, uniform(random) < 0.5);
-  }
+  for (const CellIndex cell : grid.cells()) grid.set(cell, uniform(random) < 0.5);
   const std::string path = in("b.map");
   writeMovingAiMap(path, grid);
   const PassableGrid again = readMovingAiMap(path);

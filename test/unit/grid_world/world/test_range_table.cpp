@@ -42,11 +42,9 @@ TEST(RangeTable, HoldsWhatTheRaysSense) {
     grid.set({static_cast<int>(uniformIndex(random, 130)), static_cast<int>(uniformIndex(random, 90))}, false);
   }
   const RangeTable table(grid);
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      const GridRanges expected = grid.passable({column, row}) ? senseRanges(grid, {column, row}) : GridRanges{};
-      ASSERT_EQ(table.at({column, row}), expected) << column << ", " << row;
-    }
+  for (const CellIndex cell : grid.cells()) {
+    const GridRanges expected = grid.passable(cell) ? senseRanges(grid, cell) : GridRanges{};
+    ASSERT_EQ(table.at(cell), expected) << cell.column << ", " << cell.row;
   }
 }
 
