@@ -1,6 +1,6 @@
 // Included once by each lane_kernels_*.cpp, which are compiled for different instruction sets. Only the table at the
-// end may have external linkage (see simd.hpp). What is computed side by side does not change any result: every
-// sum is made in the same order, and the sets with a multiply-add in one instruction give the same bits.
+// end, LANE_KERNELS, may have external linkage (see simd.hpp). What is computed side by side does not change any
+// result: every sum is made in the same order, and the sets with a multiply-add in one instruction give the same bits.
 
 #include "training/lane_functions.hpp"
 
@@ -206,19 +206,11 @@ void lstmBackwardOfLanes(float* gates, const float* previous_cell, const float* 
   }
 }
 
-constexpr LaneKernels kTable = {
+}  // namespace
+
+const LaneKernels LANE_KERNELS = {
     accumulateProductOfLanes, accumulateWeightGradientOfLanes, accumulateBiasGradientOfLanes,
     applyTanhToLanes,         multiplyByTanhDerivativeOfLanes, lstmForwardOfLanes,
     lstmBackwardOfLanes};
-
-}  // namespace
-
-#if defined(__AVX512F__)
-const LaneKernels kLaneKernelsAvx512 = kTable;
-#elif defined(__AVX2__)
-const LaneKernels kLaneKernelsAvx2 = kTable;
-#else
-const LaneKernels kLaneKernelsBaseline = kTable;
-#endif
 
 }  // namespace lstm_planner
