@@ -1,15 +1,16 @@
 #include "unit/network/network_fixtures.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <variant>
+
+#include "lstm_planner/training/parameter_vector.hpp"
 
 namespace lstm_planner::test {
 namespace {
 
-using Doubles = std::vector<double>;
+using Eigen::Index;
+using Eigen::VectorXd;
 
 double sigmoid(double value) { return 1.0 / (1.0 + std::exp(-value)); }
 
@@ -27,97 +28,101 @@ double activated(Activation activation, double value) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-double rowTimes(const Eigen::MatrixXf& matrix, int row, const Doubles& values) {
+double rowTimes(const Eigen::MatrixXd& matrix, Index row, const VectorXd& values) {
   double sum = 0.0;
-  for (std::size_t column = 0; column < values.size(); ++column) {
-    sum += static_cast<double>(matrix(row, static_cast<int>(column))) * values[column];
-  }
+  for (Index column = 0; column < matrix.cols(); ++column) sum += matrix(row, column) * values[column];
   return sum;
 }
 
-Doubles lstmStep(const LstmLayer& layer, const Doubles& input, Doubles& hidden, Doubles& cell) {
-  const int cells = static_cast<int>(layer.recurrent.cols());
-  const Doubles previous = hidden;
-  const auto weightedSum = [&](int gate, int unit) {
-    const int row = gate * cells + unit;
-    return rowTimes(layer.input, row, input) + rowTimes(layer.recurrent, row, previous) + double(layer.bias(row));
-  };
-  for (int unit = 0; unit < cells; ++unit) {
-    const double input_gate = sigmoid(weightedSum(0, unit));
-    const double output_gate = sigmoid(weightedSum(1, unit));
-    const double forget_gate = sigmoid(weightedSum(2, unit));
-    const double candidate = activated(layer.candidate, weightedSum(3, unit));
-    cell[unit] = forget_gate * cell[unit] + input_gate * candidate;
-    hidden[unit] = std::tanh(cell[unit]) * output_gate;
-  }
-  return hidden;
-}
-
-Doubles recurrentStep(const RecurrentLayer& layer, const Doubles& input, Doubles& hidden) {
-  const Doubles previous = hidden;
-  for (int unit = 0; unit < layer.bias.size(); ++unit) {
-    hidden[unit] = std::tanh(rowTimes(layer.input, unit, input) + rowTimes(layer.recurrent, unit, previous) +
-                             double(layer.bias(unit)));
-  }
-  return hidden;
-}
-
-Doubles denseStep(const DenseLayer& layer, const Doubles& input) {
-  Doubles output;
-  for (int unit = 0; unit < layer.bias.size(); ++unit) {
-    output.push_back(activated(layer.activation, rowTimes(layer.weights, unit, input) + double(layer.bias(unit))));
-  }
-  return output;
-}
-
-Doubles softmax(const Doubles& input) {
-  double largest = -std::numeric_limits<double>::infinity();
-  for (const double value : input) largest = std::max(largest, value);
+VectorXd softmax(const VectorXd& input) {
+  const double largest = input.maxCoeff();
   double sum = 0.0;
-  for (const double value : input) sum += std::exp(value - largest);
-  Doubles output;
-  for (const double value : input) output.push_back(std::exp(value - largest) / sum);
+  for (Index i = 0; i < input.size(); ++i) sum += std::exp(input[i] - largest);
+  VectorXd output(input.size());
+  for (Index i = 0; i < input.size(); ++i) output[i] = std::exp(input[i] - largest) / sum;
   return output;
 }
 
 }  // namespace
 
-ReferenceNetwork::ReferenceNetwork(LayerStack layers) : layers_(std::move(layers)) {
-  for (const Layer& layer : layers_) {
-    std::size_t units = 0;
-    if (const auto* lstm = std::get_if<LstmLayer>(&layer)) units = lstm->recurrent.cols();
-    if (const auto* recurrent = std::get_if<RecurrentLayer>(&layer)) units = recurrent->recurrent.cols();
-    states_.push_back({Doubles(units, 0.0), Doubles(units, 0.0)});
+double ReferenceNetwork::LayerInDouble::weightedSum(Index row, const VectorXd& inputs, const VectorXd& previous) const {
+  return rowTimes(input, row, inputs) + rowTimes(recurrent, row, previous) + bias[row];
+}
+
+void ReferenceNetwork::LayerInDouble::stepLstm(Activation candidate_activation, const VectorXd& inputs) {
+  const VectorXd previous = hidden;
+  const Index cells = hidden.size();
+  for (Index unit = 0; unit < cells; ++unit) {
+    const double input_gate = sigmoid(weightedSum(unit, inputs, previous));
+    const double output_gate = sigmoid(weightedSum(cells + unit, inputs, previous));
+    const double forget_gate = sigmoid(weightedSum(2 * cells + unit, inputs, previous));
+    const double candidate = activated(candidate_activation, weightedSum(3 * cells + unit, inputs, previous));
+    cell[unit] = forget_gate * cell[unit] + input_gate * candidate;
+    hidden[unit] = std::tanh(cell[unit]) * output_gate;
   }
 }
 
-std::vector<double> ReferenceNetwork::forward(const Eigen::VectorXf& input) {
-  Doubles values(input.data(), input.data() + input.size());
-  for (std::size_t index = 0; index < layers_.size(); ++index) {
-    State& state = states_[index];
-    const Layer& layer = layers_[index];
-    if (const auto* lstm = std::get_if<LstmLayer>(&layer)) {
-      values = lstmStep(*lstm, values, state.hidden, state.cell);
-    } else if (const auto* recurrent = std::get_if<RecurrentLayer>(&layer)) {
-      values = recurrentStep(*recurrent, values, state.hidden);
-    } else if (const auto* dense = std::get_if<DenseLayer>(&layer)) {
-      values = denseStep(*dense, values);
-    } else {
+void ReferenceNetwork::LayerInDouble::stepRecurrent(const VectorXd& inputs) {
+  const VectorXd previous = hidden;
+  for (Index unit = 0; unit < hidden.size(); ++unit) hidden[unit] = std::tanh(weightedSum(unit, inputs, previous));
+}
+
+VectorXd ReferenceNetwork::LayerInDouble::dense(Activation activation, const VectorXd& inputs) const {
+  VectorXd output(bias.size());
+  for (Index unit = 0; unit < bias.size(); ++unit) {
+    output[unit] = activated(activation, rowTimes(input, unit, inputs) + bias[unit]);
+  }
+  return output;
+}
+
+ReferenceNetwork::ReferenceNetwork(const LayerStack& layers)
+    : ReferenceNetwork(layers, parameterVector(layers).cast<double>()) {}
+
+ReferenceNetwork::ReferenceNetwork(const LayerStack& layers, const VectorXd& parameters) {
+  const double* next = parameters.data();
+  const auto take = [&next](const auto& like) -> Eigen::MatrixXd {
+    const double* const first = next;
+    next += like.size();
+    return Eigen::Map<const Eigen::MatrixXd>(first, like.rows(), like.cols());
+  };
+  const auto takeRecurrent = [&](const auto& layer, LayerInDouble* in_double) {
+    in_double->input = take(layer.input);
+    in_double->recurrent = take(layer.recurrent);
+    in_double->bias = take(layer.bias);
+    in_double->hidden = in_double->cell = VectorXd::Zero(layer.recurrent.cols());
+  };
+  for (const Layer& layer : layers) {
+    LayerInDouble in_double;
+    in_double.layer = layer;
+    if (const auto* lstm = std::get_if<LstmLayer>(&layer)) takeRecurrent(*lstm, &in_double);
+    if (const auto* recurrent = std::get_if<RecurrentLayer>(&layer)) takeRecurrent(*recurrent, &in_double);
+    if (const auto* dense = std::get_if<DenseLayer>(&layer)) {
+      in_double.input = take(dense->weights);
+      in_double.bias = take(dense->bias);
+    }
+    layers_.push_back(in_double);
+  }
+}
+
+VectorXd ReferenceNetwork::forward(const VectorXd& input) {
+  VectorXd values = input;
+  for (LayerInDouble& layer : layers_) {
+    if (const auto* dense = std::get_if<DenseLayer>(&layer.layer)) {
+      values = layer.dense(dense->activation, values);
+    } else if (std::holds_alternative<SoftmaxLayer>(layer.layer)) {
       values = softmax(values);
+    } else {
+      const auto* lstm = std::get_if<LstmLayer>(&layer.layer);
+      lstm != nullptr ? layer.stepLstm(lstm->candidate, values) : layer.stepRecurrent(values);
+      values = layer.hidden;
     }
   }
   return values;
 }
 
-double largestDifference(const Eigen::VectorXf& values, const std::vector<double>& reference) {
-  if (values.size() != static_cast<Eigen::Index>(reference.size()) || !values.allFinite()) {
-    return std::numeric_limits<double>::infinity();
-  }
-  double largest = 0.0;
-  for (std::size_t index = 0; index < reference.size(); ++index) {
-    largest = std::max(largest, std::abs(double(values(static_cast<int>(index))) - reference[index]));
-  }
-  return largest;
+double largestDifference(const Eigen::VectorXf& values, const VectorXd& reference) {
+  if (values.size() != reference.size() || !values.allFinite()) return std::numeric_limits<double>::infinity();
+  return (values.cast<double>() - reference).cwiseAbs().maxCoeff();
 }
 
 }  // namespace lstm_planner::test

@@ -40,26 +40,37 @@ class LayerMaker {
   std::mt19937 random_;
 };
 
-/// The same equations once more, written from the thesis in double precision and plain loops, sharing no code with
-/// Network.
+/// The equations once more, written from the thesis in double precision and plain loops, sharing no code with Network
+/// and LaneNetwork.
 class ReferenceNetwork {
  public:
-  explicit ReferenceNetwork(LayerStack layers);
+  explicit ReferenceNetwork(const LayerStack& layers);
+  /// With these weights, as of parameterVector(), in place of the layers' own.
+  ReferenceNetwork(const LayerStack& layers, const Eigen::VectorXd& parameters);
 
-  std::vector<double> forward(const Eigen::VectorXf& input);
+  Eigen::VectorXd forward(const Eigen::VectorXd& input);
 
  private:
-  struct State {
-    std::vector<double> hidden;
-    std::vector<double> cell;
+  /// A layer's weights, and its state.
+  struct LayerInDouble {
+    Layer layer;
+    Eigen::MatrixXd input;
+    Eigen::MatrixXd recurrent;
+    Eigen::VectorXd bias;
+    Eigen::VectorXd hidden;
+    Eigen::VectorXd cell;
+
+    double weightedSum(Eigen::Index row, const Eigen::VectorXd& inputs, const Eigen::VectorXd& previous) const;
+    void stepLstm(Activation candidate, const Eigen::VectorXd& inputs);
+    void stepRecurrent(const Eigen::VectorXd& inputs);
+    Eigen::VectorXd dense(Activation activation, const Eigen::VectorXd& inputs) const;
   };
 
-  LayerStack layers_;
-  std::vector<State> states_;
+  std::vector<LayerInDouble> layers_;
 };
 
 /// Largest absolute difference of two vectors of the same size; infinity when the sizes differ or a value is not
 /// finite.
-double largestDifference(const Eigen::VectorXf& values, const std::vector<double>& reference);
+double largestDifference(const Eigen::VectorXf& values, const Eigen::VectorXd& reference);
 
 }  // namespace lstm_planner::test

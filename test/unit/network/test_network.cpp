@@ -26,7 +26,7 @@ void expectEqualToReference(const LayerStack& layers, unsigned seed) {
   double largest = 0.0;
   for (int step = 0; step < 1000; ++step) {
     const VectorXf input = make.input(network.inputSize());
-    largest = std::max(largest, largestDifference(network.forward(input), reference.forward(input)));
+    largest = std::max(largest, largestDifference(network.forward(input), reference.forward(input.cast<double>())));
   }
   EXPECT_LT(largest, kTolerance);
 }
@@ -77,7 +77,8 @@ TEST(Network, SaturatedGatesEqualReference) {
     ReferenceNetwork reference(layers);
     for (int step = 0; step < 1000; ++step) {
       const VectorXf input = make.input(11).unaryExpr([](float value) { return value < 0.0f ? -1e4f : 1e4f; });
-      ASSERT_LT(largestDifference(network.forward(input), reference.forward(input)), kTolerance) << "step " << step;
+      ASSERT_LT(largestDifference(network.forward(input), reference.forward(input.cast<double>())), kTolerance)
+          << "step " << step;
     }
   }
 }
@@ -114,7 +115,7 @@ TEST(Network, AllZeroInputEqualsReference) {
   ReferenceNetwork reference(layers);
   for (int step = 0; step < 100; ++step) {
     const VectorXf input = VectorXf::Zero(11);
-    ASSERT_LT(largestDifference(network.forward(input), reference.forward(input)), kTolerance);
+    ASSERT_LT(largestDifference(network.forward(input), reference.forward(input.cast<double>())), kTolerance);
   }
 }
 
@@ -125,9 +126,9 @@ TEST(Network, ConstantInputConvergesAndStaysForAMillionSteps) {
   const VectorXf input = make.input(11);
   Network network(layers);
   ReferenceNetwork reference(layers);
-  std::vector<double> fixed_point;
-  for (int step = 0; step < 10000; ++step) fixed_point = reference.forward(input);
-  ASSERT_EQ(reference.forward(input), fixed_point) << "the reference has not converged";
+  Eigen::VectorXd fixed_point;
+  for (int step = 0; step < 10000; ++step) fixed_point = reference.forward(input.cast<double>());
+  ASSERT_EQ(reference.forward(input.cast<double>()), fixed_point) << "the reference has not converged";
 
   for (int step = 0; step < 10000; ++step) network.forward(input);
   const Network::HiddenState converged = network.hiddenState();
@@ -144,7 +145,7 @@ TEST(Network, ChangingInputsStayEqualToReferenceForAMillionSteps) {
   double largest = 0.0;
   for (int step = 0; step < 1000000; ++step) {
     const VectorXf input = make.input(4, 10.0f);
-    largest = std::max(largest, largestDifference(network.forward(input), reference.forward(input)));
+    largest = std::max(largest, largestDifference(network.forward(input), reference.forward(input.cast<double>())));
   }
   EXPECT_LT(largest, kTolerance);
 }
@@ -228,7 +229,7 @@ TEST(Network, ItsOwnOutputIsAValidInput) {
     ReferenceNetwork reference(layers);
     const VectorXf& first = network.forward(make.input(width));
     const VectorXf input = first;
-    EXPECT_LT(largestDifference(network.forward(first), reference.forward(input)), kTolerance);
+    EXPECT_LT(largestDifference(network.forward(first), reference.forward(input.cast<double>())), kTolerance);
   }
 }
 

@@ -38,7 +38,7 @@ class NetworkKernels : public testing::TestWithParam<InstructionSet> {
       VectorXf input = make.input(network.inputSize());
       input(0) = last_output;
       const VectorXf& output = network.forward(input);
-      largest = std::max(largest, largestDifference(output, reference.forward(input)));
+      largest = std::max(largest, largestDifference(output, reference.forward(input.cast<double>())));
       last_output = output(0);
     }
     return largest;

@@ -11,7 +11,7 @@
 #include "lstm_planner/training/lane_network.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
 #include "training/lane_kernels.hpp"
-#include "unit/training/double_network.hpp"
+#include "unit/training/gradient_fixtures.hpp"
 
 namespace lstm_planner::test_gradient {
 namespace {

@@ -7,7 +7,7 @@
 #include "lstm_planner/training/parameter_vector.hpp"
 #include "training/input_sensitivity.hpp"
 #include "training/recall_task.hpp"
-#include "unit/training/double_network.hpp"
+#include "unit/training/gradient_fixtures.hpp"
 
 namespace lstm_planner::test_input_sensitivity {
 namespace {
@@ -62,7 +62,7 @@ Eigen::MatrixXd expectedSensitivity(const LayerStack& first, const std::vector<S
     for (int unit = 0; unit < squares.rows(); ++unit) {
       for (int last = 0; last < steps; ++last) {
         const auto outputOf = [&](const Eigen::VectorXd& first_inputs) {
-          DoubleNetwork network(first, parameters);
+          test::ReferenceNetwork network(first, parameters);
           double output = network.forward(first_inputs)[unit];
           for (int step = 1; step <= last; ++step) output = network.forward(inputs.col(step))[unit];
           return output;

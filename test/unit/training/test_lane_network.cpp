@@ -8,7 +8,7 @@
 #include "lstm_planner/training/lane_network.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
 #include "lstm_planner/training/sequence.hpp"
-#include "unit/training/double_network.hpp"
+#include "unit/training/gradient_fixtures.hpp"
 
 namespace lstm_planner::test_lane_network {
 namespace {
@@ -96,7 +96,7 @@ TEST(LaneNetwork, GradientsAreThoseOfTheEquationsInDoublePrecision) {
   lanes.backward(parameters, kSteps, gradient);
 
   const auto errorOf = [&](const Eigen::VectorXd& place, const Eigen::MatrixXd& inputs) {
-    DoubleNetwork network(layers, place);
+    test::ReferenceNetwork network(layers, place);
     double sum = 0.0;
     for (int step = 0; step < kSteps; ++step) sum += factors.col(step).dot(network.forward(inputs.col(step)));
     return sum;

@@ -63,7 +63,7 @@ TEST(DrivePolicyViews, EqualEightNetworksInPlainLoops) {
     encoder.turn(ahead.data(), bearings, inputs.data(), kDriveViews);
     std::vector<double> outputs;
     for (int view = 0; view < kDriveViews; ++view) {
-      outputs.push_back(references[static_cast<std::size_t>(view)].forward(inputs.col(view)).front());
+      outputs.push_back(references[static_cast<std::size_t>(view)].forward(inputs.col(view).cast<double>())[0]);
     }
     for (std::size_t action = 0; action < action_views.size(); ++action) {
       const auto direction = static_cast<std::size_t>((bearings.ahead + action_views[action]) % kDriveViews);

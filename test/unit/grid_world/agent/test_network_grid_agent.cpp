@@ -69,8 +69,8 @@ TEST(NetworkGridAgent, PrefersWhatItsNetworkInPlainLoopsPrefers) {
     agent.observe(observation);
     Eigen::VectorXf input(kGridInputs);
     encodeGrid(observation, previous_direction, input.data(), 1);
-    const std::vector<double> preferences = reference.forward(input);
-    const auto best = std::max_element(preferences.begin(), preferences.end()) - preferences.begin();
+    Eigen::Index best = 0;
+    reference.forward(input.cast<double>()).maxCoeff(&best);
     ASSERT_EQ(agent.decide(), best) << "step " << step;
     const bool moved = movePossible(grid, cell, agent.decide(), CornerCutting::kForbidden);
     if (moved) cell = cellBeside(cell, agent.decide());
