@@ -44,12 +44,6 @@ std::vector<LayerKernel> allKernels(const std::vector<LayerMatrices>& layers, In
   return kernels;
 }
 
-NetworkKernel networkKernel(const std::vector<LayerMatrices>& layers, InstructionSet set) {
-  std::vector<LayerShape> shapes;
-  for (const LayerMatrices& layer : layers) shapes.push_back(layer.shape);
-  return stepKernels(set).ofNetwork(shapes.data(), static_cast<int>(shapes.size()));
-}
-
 bool remembers(const PackedLayer& layer) { return layer.recurrent.columns > 0; }
 
 }  // namespace
@@ -58,13 +52,10 @@ PackedNetwork::PackedNetwork(const LayerStack& layers, InstructionSet set)
     : PackedNetwork(allMatrices(layers, set), set) {}
 
 PackedNetwork::PackedNetwork(const std::vector<LayerMatrices>& layers, InstructionSet set)
-    : weights_(layers, allKernels(layers, set)),
-      network_kernel_(networkKernel(layers, set)),
-      first_recurrent_(layers.size()) {
+    : weights_(layers, allKernels(layers, set)), first_recurrent_(layers.size()) {
   for (std::size_t index = 0; index < layers.size(); ++index) {
     const PackedLayer& packed = weights_.layers()[index];
     layers_.push_back({stepKernels(set).ofLayer(packed.shape), &packed, hidden_state_size_, 0});
-    if (packed.input.column_stride > 0 || packed.recurrent.column_stride > 0) network_kernel_ = nullptr;
     if (!remembers(packed)) continue;
     first_recurrent_ = std::min(first_recurrent_, index);
     hidden_state_size_ +=
@@ -83,25 +74,17 @@ void PackedNetwork::makeRecurrentSums(const Layer& layer, const float* memory, f
   layer.kernel.recurrentSums(*layer.packed, memory + layer.output, next + layer.sums);
 }
 
-bool PackedNetwork::wholeStep(const float* input, const float* now, float* next, float* output) const {
-  LayerValues values[] = {layers_[0].values(input, now, next), layers_[1].values(input, now, next),
-                          layers_[2].values(input, now, next)};
-  values[2].output = output;
-  return network_kernel_(weights_.layers().data(), values);
-}
-
 /// A recurrent product needs nothing but what the layer put out in the last step. So it comes where the processor would
 /// otherwise wait for activations: those of the later recurrent layers behind the layer before them, and that of the
 /// first, for the step to come, behind the layer after it.
 bool PackedNetwork::step(const float* input, const float* now, float* next, float* output) const {
-  if (network_kernel_ != nullptr) return wholeStep(input, now, next, output);
   const std::size_t last = layers_.size() - 1;
   for (std::size_t index = 0; index <= last; ++index) {
     const Layer& layer = layers_[index];
     const PackedLayer& packed = *layer.packed;
     // A first layer's input may be the output of the step before.
     LayerValues values = layer.values(input, now, next);
-    if (index != first_recurrent_) values.sums = values.next_sums;
+    if (index != first_recurrent_) values.sums = next + layer.sums;
     if (index == last && index > 0 && !remembers(packed)) values.output = output;
     if (!layer.kernel.advance(packed, values)) return false;
     input = values.output;

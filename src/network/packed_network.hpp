@@ -40,16 +40,14 @@ class PackedNetwork {
 
     LayerValues values(const float* input, const float* now, float* next) const {
       const std::size_t cells = output + static_cast<std::size_t>(packed->shape.units);
-      return {input, now + sums, now + cells, next + cells, next + output, now + output, next + sums};
+      return {input, now + sums, now + cells, next + cells, next + output};
     }
   };
 
   PackedNetwork(const std::vector<LayerMatrices>& layers, InstructionSet set);
-  bool wholeStep(const float* input, const float* now, float* next, float* output) const;
   void makeRecurrentSums(const Layer& layer, const float* memory, float* next) const;
 
   PackedWeights weights_;
-  NetworkKernel network_kernel_;  ///< or null, when the layers come one by one
   std::vector<Layer> layers_;
   std::size_t first_recurrent_;  ///< layers_.size() when there is none
   std::size_t hidden_state_size_ = 0;

@@ -44,9 +44,6 @@ struct LayerValues {
   const float* cells;  ///< an LSTM's cell states
   float* next_cells;
   float* output;
-
-  const float* last_output;  ///< of the step before; for a network's kernel only, like the following
-  float* next_sums;          ///< what the next step finds in `sums`
 };
 
 /// The functions for one layer, and the sizes that its weights are packed by.
@@ -61,14 +58,9 @@ struct LayerKernel {
   bool (*advance)(const PackedLayer& layer, const LayerValues& values);
 };
 
-/// A whole network's step, for a shape so common that it has a kernel of its own: with an entry for each layer, whose
-/// columns follow one another without gaps. Only the first recurrent layer has sums. The result is that of advance().
-using NetworkKernel = bool (*)(const PackedLayer* layers, const LayerValues* values);
-
 /// The kernels for one instruction set.
 struct StepKernels {
   LayerKernel (*ofLayer)(const LayerShape& shape);
-  NetworkKernel (*ofNetwork)(const LayerShape* shapes, int count);  ///< null for most shapes
 };
 extern const StepKernels kStepKernelsBaseline;
 #if defined(__x86_64__)

@@ -272,23 +272,6 @@ LayerKernel layerKernel(const LayerShape& shape) {
   return {4, 1, nullptr, &softmax};
 }
 
-}  // namespace
-}  // namespace lstm_planner
-
-#include "network/lstm_pair_kernel_source.hpp"
-
-namespace lstm_planner {
-namespace {
-
-NetworkKernel networkKernelOf(const LayerShape* shapes, int count) {
-#if defined(__AVX2__)
-  if (LstmPair::fits(shapes, count)) return &LstmPair::step;
-#endif
-  static_cast<void>(shapes);
-  static_cast<void>(count);
-  return nullptr;
-}
-
 LayerKernel layerKernelOf(const LayerShape& shape) {
 #if defined(__AVX512F__)
   if (shape.units > 8) return layerKernel<Floats<16>>(shape);
@@ -301,6 +284,6 @@ LayerKernel layerKernelOf(const LayerShape& shape) {
 
 }  // namespace
 
-const StepKernels STEP_KERNELS = {layerKernelOf, networkKernelOf};
+const StepKernels STEP_KERNELS = {layerKernelOf};
 
 }  // namespace lstm_planner
