@@ -18,7 +18,7 @@
 
 #include "lstm_planner/common/geometry.hpp"
 #include "lstm_planner/common/output_file.hpp"
-#include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/grid/distance_field.hpp"
 #include "lstm_planner/grid/map_server_map.hpp"
