@@ -67,7 +67,7 @@ whole=0,0,1280,900
 make_picture() {
   case "$1" in
     rviz) take rviz "$whole" 22 demo.launch leader:=network real_time_factor:=1 picture:=none rviz:=true ;;
-    panel) take panel 0,499,380,348 22 demo.launch leader:=network real_time_factor:=1 picture:=none rviz:=true ;;
+    panel) take panel 0,430,380,402 22 demo.launch leader:=network real_time_factor:=1 picture:=none rviz:=true ;;
     record_dataset)
       take record_dataset "$whole" 25 record_dataset.launch teleop:=scripted "output:=$scratch/drives.sqlite" \
         "map:=$config/demo_building.yaml" "waypoints:=$config/demo_waypoints.yaml" rviz:=true ;;
