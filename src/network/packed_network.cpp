@@ -25,22 +25,22 @@ std::vector<LayerMatrices> allMatrices(const LayerStack& layers, InstructionSet 
   return matrices;
 }
 
-const StepKernels& stepKernels(InstructionSet set) {
+LayerKernel kernelOf(const LayerShape& shape, InstructionSet set) {
   switch (set) {
 #if defined(__x86_64__)
     case InstructionSet::kAvx512:
-      return kStepKernelsAvx512;
+      return layerKernelAvx512(shape);
     case InstructionSet::kAvx2:
-      return kStepKernelsAvx2;
+      return layerKernelAvx2(shape);
 #endif
     default:
-      return kStepKernelsBaseline;
+      return layerKernelBaseline(shape);
   }
 }
 
 std::vector<LayerKernel> allKernels(const std::vector<LayerMatrices>& layers, InstructionSet set) {
   std::vector<LayerKernel> kernels;
-  for (const LayerMatrices& layer : layers) kernels.push_back(stepKernels(set).ofLayer(layer.shape));
+  for (const LayerMatrices& layer : layers) kernels.push_back(kernelOf(layer.shape, set));
   return kernels;
 }
 
@@ -55,7 +55,7 @@ PackedNetwork::PackedNetwork(const std::vector<LayerMatrices>& layers, Instructi
     : weights_(layers, allKernels(layers, set)), first_recurrent_(layers.size()) {
   for (std::size_t index = 0; index < layers.size(); ++index) {
     const PackedLayer& packed = weights_.layers()[index];
-    layers_.push_back({stepKernels(set).ofLayer(packed.shape), &packed, hidden_state_size_, 0});
+    layers_.push_back({kernelOf(packed.shape, set), &packed, hidden_state_size_, 0});
     if (!remembers(packed)) continue;
     first_recurrent_ = std::min(first_recurrent_, index);
     hidden_state_size_ +=

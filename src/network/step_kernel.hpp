@@ -58,14 +58,11 @@ struct LayerKernel {
   bool (*advance)(const PackedLayer& layer, const LayerValues& values);
 };
 
-/// The kernels for one instruction set.
-struct StepKernels {
-  LayerKernel (*ofLayer)(const LayerShape& shape);
-};
-extern const StepKernels kStepKernelsBaseline;
+/// The kernel for a layer, for each instruction set.
+LayerKernel layerKernelBaseline(const LayerShape& shape);
 #if defined(__x86_64__)
-extern const StepKernels kStepKernelsAvx2;
-extern const StepKernels kStepKernelsAvx512;
+LayerKernel layerKernelAvx2(const LayerShape& shape);
+LayerKernel layerKernelAvx512(const LayerShape& shape);
 #endif
 
 /// Blocks in the next tile when `rest` blocks are left: a_tile (a power of two) while there are as many, then less.

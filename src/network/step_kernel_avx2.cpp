@@ -1,4 +1,4 @@
 #if defined(__AVX2__)
-#define STEP_KERNELS kStepKernelsAvx2
+#define LAYER_KERNEL layerKernelAvx2
 #include "network/step_kernel_source.hpp"
 #endif

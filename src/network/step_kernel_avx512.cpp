@@ -1,4 +1,4 @@
 #if defined(__AVX512F__)
-#define STEP_KERNELS kStepKernelsAvx512
+#define LAYER_KERNEL layerKernelAvx512
 #include "network/step_kernel_source.hpp"
 #endif

@@ -1,2 +1,2 @@
-#define STEP_KERNELS kStepKernelsBaseline
+#define LAYER_KERNEL layerKernelBaseline
 #include "network/step_kernel_source.hpp"

@@ -1,11 +1,11 @@
 // Included once by each step_kernel_*.cpp, which are compiled for different instruction sets. Everything but the
-// table at the end, STEP_KERNELS, has internal linkage, as simd.hpp explains.
+// function at the end, LAYER_KERNEL, has internal linkage, as simd.hpp explains.
 
 #include "network/network_functions.hpp"
 #include "network/step_kernel.hpp"
 
-#if !defined(STEP_KERNELS)
-#error "STEP_KERNELS names the table that this file defines"
+#if !defined(LAYER_KERNEL)
+#error "LAYER_KERNEL names the function that this file defines"
 #endif
 
 namespace lstm_planner {
@@ -272,7 +272,9 @@ LayerKernel layerKernel(const LayerShape& shape) {
   return {4, 1, nullptr, &softmax};
 }
 
-LayerKernel layerKernelOf(const LayerShape& shape) {
+}  // namespace
+
+LayerKernel LAYER_KERNEL(const LayerShape& shape) {
 #if defined(__AVX512F__)
   if (shape.units > 8) return layerKernel<Floats<16>>(shape);
 #endif
@@ -281,9 +283,5 @@ LayerKernel layerKernelOf(const LayerShape& shape) {
 #endif
   return layerKernel<Floats<4>>(shape);
 }
-
-}  // namespace
-
-const StepKernels STEP_KERNELS = {layerKernelOf};
 
 }  // namespace lstm_planner
