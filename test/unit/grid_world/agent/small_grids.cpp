@@ -83,6 +83,17 @@ SmallGrid drawnGrid(const std::vector<std::string>& rows) {
   return world;
 }
 
+SmallGrid pathOfBends() {
+  constexpr int kColumns = 1601;
+  PassableGrid grid(kColumns, 7, true);
+  for (int column = 0; column < kColumns; ++column) {
+    if (column + 1 < kColumns) grid.set({column, 1}, false);
+    if (column % 2 == 0) continue;
+    for (int row = 2; row < 7; ++row) grid.set({column, row}, row == (column % 4 == 1 ? 6 : 2));
+  }
+  return {grid, {0, 2}, {0, 0}};
+}
+
 SmallGrid smallGrid(std::uint32_t seed) {
   SmallGridRandom random(seed);
   SmallGrid world;

@@ -23,6 +23,10 @@ SmallGrid drawnGrid(const std::vector<std::string>& rows);
 /// wide.
 SmallGrid smallGrid(std::uint32_t seed);
 
+/// A goal two cells above the start, at the end of a path that first bends 1,600 times and then leads back: more than
+/// boundary following can remember.
+SmallGrid pathOfBends();
+
 enum class WalkEnd { kArrived, kNoPath, kCollided, kTooLong };
 
 struct Walk {

@@ -137,20 +137,11 @@ TEST(BoundaryFollower, StaysSmallInALongMaze) {
 }
 
 TEST(BoundaryFollower, ArrivesWhenTheTrailHasNoRoomForThePathBack) {
-  // The goal is two cells above the start, at the end of a path that first bends 1,600 times and then leads back.
-  const int columns = 1601;
-  PassableGrid grid(columns, 7, true);
-  for (int column = 0; column < columns; ++column) {
-    if (column + 1 < columns) grid.set({column, 1}, false);
-    if (column % 2 == 0) continue;
-    for (int row = 2; row < 7; ++row) grid.set({column, row}, row == (column % 4 == 1 ? 6 : 2));
-  }
-  const SmallGrid world = {grid, {0, 2}, {0, 0}};
   BoundaryParameters parameters;
   parameters.first_leg = 4000.0;  // 1,300 bends
   parameters.goal_weight = 0.0;
   BoundaryFollower agent(parameters);
-  const Walk walked = walk(world, &agent, CornerCutting::kForbidden, 1000000);
+  const Walk walked = walk(pathOfBends(), &agent, CornerCutting::kForbidden, 1000000);
   EXPECT_EQ(walked.end, WalkEnd::kArrived);
   EXPECT_LE(agent.peakBytes(), 6U * 1024U);
 }

@@ -10,6 +10,7 @@
 #include "lstm_planner/grid_world/world/range_table.hpp"
 #include "lstm_planner/network/model_file.hpp"
 #include "lstm_planner/training/initialisation.hpp"
+#include "unit/grid_world/agent/small_grids.hpp"
 
 namespace lstm_planner::test_shipped_grid_models {
 namespace {
@@ -135,14 +136,7 @@ TEST(ShippedGridModels, UnderTheBoundAnyNetworkArrivesButOnlyAGoodOneDecides) {
 TEST(ShippedGridModels, TheDefaultIsOfTheThesissSizeAndNeedsAtMost64KiBWhereTheTrailHasNoRoom) {
   const Model model = readModelFile(shippedModel("grid_lstm_2x8"));
   EXPECT_LE(countWeights(model.layers), 1256u);
-  // A path that bends 1,600 times and then leads back to the goal, two cells above the start.
-  constexpr int kColumns = 1601;
-  PassableGrid maze(kColumns, 7, true);
-  for (int column = 0; column < kColumns; ++column) {
-    if (column + 1 < kColumns) maze.set({column, 1}, false);
-    if (column % 2 == 0) continue;
-    for (int row = 2; row < 7; ++row) maze.set({column, row}, row == (column % 4 == 1 ? 6 : 2));
-  }
+  const SmallGrid maze = pathOfBends();
   NetworkGridAgent::Options options;
   options.guide.most_times_planned = 0.0;
   options.guide.most_steps_more = 0;
@@ -151,7 +145,7 @@ TEST(ShippedGridModels, TheDefaultIsOfTheThesissSizeAndNeedsAtMost64KiBWhereTheT
   NetworkGridAgent agent(model, options);
   GridEpisodeRules rules;
   rules.max_steps = 5000;
-  const GridEpisode episode = runGridEpisode(maze, RangeTable(maze), {0, 2}, {0, 0}, rules, &agent);
+  const GridEpisode episode = runGridEpisode(maze.grid, RangeTable(maze.grid), maze.start, maze.goal, rules, &agent);
   EXPECT_EQ(episode.end, GridEpisode::End::kTimeout);
   EXPECT_GT(episode.led[static_cast<std::size_t>(GridLeader::kBoundary)], 4000);
   EXPECT_LE(agent.peakBytes(), 64u * 1024u);
