@@ -16,8 +16,9 @@ constexpr double kWorthTurningMetres = 0.3;
 /// A route is costed by what is remembered as far as this, m.
 constexpr double kLookedAt = 15.0;
 
-constexpr int kClosedLooks = 3;    ///< looks around that must agree that there is no path
-constexpr int kMostForgotten = 4;  ///< without progress in between
+constexpr int kClosedLooks = 3;     ///< looks around that must agree that there is no path
+constexpr int kMostForgotten = 4;   ///< then the robot must come this much nearer to the goal
+constexpr double kForgiving = 1.0;  // m
 /// Tolerances within which a goal is near.
 constexpr double kNearGoalTolerances = 2.0;
 
@@ -65,7 +66,8 @@ void Replanner::start() {
   route_.points.clear();
   looking_ = false;
   closed_in_a_row_ = 0;
-  noteProgress();
+  forgiven_at_ = std::numeric_limits<double>::infinity();
+  noteProgress(forgiven_at_);
 }
 
 void Replanner::moveGoal(const Point2& from, const Point2& to) {
@@ -74,10 +76,12 @@ void Replanner::moveGoal(const Point2& from, const Point2& to) {
   route_.length = lengthOf(route_.points);
 }
 
-void Replanner::noteProgress() {
-  forgotten_ = 0;
+void Replanner::noteProgress(double distance) {
   clearance_is_relaxed_ = false;
   memory_.relaxClearance(false);
+  if (distance > forgiven_at_ - kForgiving) return;
+  forgiven_at_ = distance;
+  forgotten_ = 0;
 }
 
 void Replanner::forget() {

@@ -40,8 +40,10 @@ class Replanner {
   /// LocalMap::know()
   void know(std::vector<Point2> obstacles) { memory_.know(std::move(obstacles)); }
 
-  /// The robot came nearer to the goal than ever: what went wrong before is forgiven.
-  void noteProgress();
+  /// The robot came nearer to the goal than ever, to `distance` (m): what went wrong before is forgiven, if it is
+  /// nearer by a metre than when that was done last. On the way around an obstacle that holds the goal it is only a
+  /// little nearer.
+  void noteProgress(double distance);
 
   /// Takes in the situation and searches a path; one that is hardly better than the last one is not taken. `tolerance`:
   /// how near (m) to a goal in or behind an obstacle the route may end.
@@ -103,7 +105,8 @@ class Replanner {
   FullTurn turn_;                      ///< while looking
   bool clearance_is_relaxed_ = false;  ///< no path was found otherwise
   int closed_in_a_row_ = 0;
-  int forgotten_ = 0;  ///< times since the last progress
+  int forgotten_ = 0;         ///< times since that was forgiven
+  double forgiven_at_ = 0.0;  ///< m to the goal where it was
 };
 
 }  // namespace lstm_planner

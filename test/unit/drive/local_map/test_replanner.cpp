@@ -167,15 +167,28 @@ TEST_F(ReplannerTest, IsLostWhenTheMemoryWasWrongAgainAndAgainWithoutProgress) {
   EXPECT_EQ(update(returnsAt(around)), Answer::kLost);
 }
 
-TEST_F(ReplannerTest, ProgressForgivesWhatWentWrong) {
+TEST_F(ReplannerTest, AMetreOfProgressForgivesWhatWentWrong) {
   const std::vector<Point2> around = test::ring(0.8);
   start({8.0, 0.0});
   for (int time = 0; time < 20; ++time) {
     ASSERT_EQ(update(returnsAt(around)), Answer::kLookAround) << time;
     guide_.forget();
     ASSERT_EQ(turn(), Answer::kRoute) << time;
-    guide_.noteProgress();
+    guide_.noteProgress(30.0 - time);
   }
+}
+
+TEST_F(ReplannerTest, ALittleProgressForgivesNothing) {
+  const std::vector<Point2> around = test::ring(0.8);
+  start({8.0, 0.0});
+  guide_.noteProgress(8.0);
+  for (int time = 0; time < 4; ++time) {
+    ASSERT_EQ(update(returnsAt(around)), Answer::kLookAround) << time;
+    guide_.forget();
+    ASSERT_EQ(turn(), Answer::kRoute) << time;
+    guide_.noteProgress(7.7 - 0.2 * time);
+  }
+  EXPECT_EQ(update(returnsAt(around)), Answer::kLost);
 }
 
 TEST_F(ReplannerTest, ANewGoalIsFoundThroughWhatWasSeenBefore) {
