@@ -66,8 +66,7 @@ class OdometryFromTransforms {
  public:
   OdometryFromTransforms(const std::string& odometry_frame, const std::string& base_frame);
 
-  /// `heard`: what `tf` has just been told. Empty when it is not of the odometry frame, is no news, or does not yet
-  /// lead to the base.
+  /// `heard`: what `tf` has just been told. Empty when that tells nothing new of the base in the odometry frame.
   std::optional<nav_msgs::Odometry> of(const geometry_msgs::TransformStamped& heard, const tf2::BufferCore& tf);
 
  private:
@@ -75,6 +74,7 @@ class OdometryFromTransforms {
 
   std::string odometry_frame_;
   std::string base_frame_;
+  ros::Time newest_;  ///< of the transforms of the odometry frame: what leads on to the base may be told later
   nav_msgs::Odometry last_;
 };
 
@@ -83,14 +83,11 @@ OdometryFromTransforms::OdometryFromTransforms(const std::string& odometry_frame
 
 std::optional<nav_msgs::Odometry> OdometryFromTransforms::of(const geometry_msgs::TransformStamped& heard,
                                                              const tf2::BufferCore& tf) {
-  const ros::Time& stamp = heard.header.stamp;
-  if (frameName(heard.header.frame_id) != odometry_frame_ || stamp == last_.header.stamp ||
-      !tf.canTransform(odometry_frame_, base_frame_, stamp)) {
-    return std::nullopt;
-  }
-  const geometry_msgs::Transform transform = tf.lookupTransform(odometry_frame_, base_frame_, stamp).transform;
+  if (frameName(heard.header.frame_id) == odometry_frame_) newest_ = heard.header.stamp;
+  if (newest_ == last_.header.stamp || !tf.canTransform(odometry_frame_, base_frame_, newest_)) return std::nullopt;
+  const geometry_msgs::Transform transform = tf.lookupTransform(odometry_frame_, base_frame_, newest_).transform;
   nav_msgs::Odometry odometry;
-  odometry.header.stamp = stamp;
+  odometry.header.stamp = newest_;
   odometry.header.frame_id = odometry_frame_;
   odometry.child_frame_id = base_frame_;
   odometry.pose.pose = toMessage(fromMessage(transform));
@@ -195,7 +192,7 @@ class BagPlayer {
                       BagListener* listener) {
     const auto transforms = messageOf<tf2_msgs::TFMessage>(message);
     if (!transforms) return;
-    const bool is_static = message.getTopic() == "/tf_static";
+    const bool is_static = absoluteTopic(message.getTopic()) == "/tf_static";
     std::vector<geometry_msgs::TransformStamped> plausible;
     for (const geometry_msgs::TransformStamped& transform : transforms->transforms) {
       if (!is_static && !isPlausible(transform, message)) continue;
@@ -317,7 +314,7 @@ class Recorder : public BagListener {
   }
 
   void hearGoal(const rosbag::MessageInstance& message) override {
-    const std::string topic = message.getTopic().substr(1);
+    const std::string topic = absoluteTopic(message.getTopic()).substr(1);
     // As the node itself calls the goals that it publishes there.
     const std::string source = topic == "dataset_recorder/goal" ? "waypoints" : topic;
     if (const auto goal = messageOf<geometry_msgs::PoseStamped>(message)) {
@@ -348,7 +345,8 @@ void checkContent(const BagDriveResult& result, const BagDriveOptions& options) 
     throw std::invalid_argument("has no odometry: expected " +
                                 (result.odometry_source == "tf"
                                      ? "a topic of nav_msgs/Odometry, or the transforms from " +
-                                           options.odometry_frame + " to " + options.base_frame
+                                           options.odometry_frame + " to " + options.base_frame +
+                                           " (--odometry-frame, --base-frame)"
                                      : "messages on " + result.odometry_source));
   }
   if (!options.hindsight && result.goals == 0) {

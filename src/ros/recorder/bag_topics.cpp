@@ -9,6 +9,7 @@
 #include <sensor_msgs/LaserScan.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 
@@ -19,9 +20,6 @@ namespace lstm_planner {
 namespace {
 
 using Connections = std::vector<const rosbag::ConnectionInfo*>;
-
-/// Relative names are those of the robot's namespace, which bags write in full.
-std::string absolute(const std::string& topic) { return topic.empty() || topic[0] == '/' ? topic : "/" + topic; }
 
 /// Types are told by their definition: tf/tfMessage has that of tf2_msgs/TFMessage.
 template <typename Message>
@@ -38,6 +36,14 @@ std::vector<std::string> topicsOf(const Connections& connections) {
   return {topics.begin(), topics.end()};
 }
 
+/// What the bag calls a topic; empty if it has none of that name.
+std::string nameInBag(const std::string& name, const std::vector<std::string>& topics) {
+  const auto topic = std::find_if(topics.begin(), topics.end(), [&](const std::string& candidate) {
+    return absoluteTopic(candidate) == absoluteTopic(name);
+  });
+  return topic == topics.end() ? "" : *topic;
+}
+
 std::string contentOf(const Connections& connections) {
   std::set<std::string> topics;
   for (const rosbag::ConnectionInfo* connection : connections) {
@@ -51,9 +57,10 @@ template <typename Message>
 std::string choose(const Connections& connections, const std::string& asked_for, const std::string& option) {
   const std::string type = ros::message_traits::DataType<Message>::value();
   const std::vector<std::string> topics = topicsOf<Message>(connections);
-  const std::string topic = absolute(asked_for);
-  if (!topic.empty() && !contains(topics, topic)) {
-    throw std::invalid_argument("has no topic " + topic + " of " + type + ", but " + contentOf(connections));
+  const std::string topic = nameInBag(asked_for, topics);
+  if (!asked_for.empty() && topic.empty()) {
+    throw std::invalid_argument("has no topic " + absoluteTopic(asked_for) + " of " + type + ", but " +
+                                contentOf(connections));
   }
   if (topic.empty() && topics.size() > 1) {
     throw std::invalid_argument("has several topics of " + type + ", expected one of " + joined(topics) + " for " +
@@ -68,17 +75,19 @@ std::vector<std::string> chooseGoals(const Connections& connections, const std::
   topics.insert(topics.end(), actions.begin(), actions.end());
   std::vector<std::string> goals;
   if (asked_for.empty()) {
-    for (const char* topic : {"/move_base/goal", "/move_base_simple/goal", "/dataset_recorder/goal"}) {
-      if (contains(topics, topic)) goals.emplace_back(topic);
+    for (const char* name : {"/move_base/goal", "/move_base_simple/goal", "/dataset_recorder/goal"}) {
+      const std::string topic = nameInBag(name, topics);
+      if (!topic.empty()) goals.push_back(topic);
     }
   }
-  for (const std::string& topic : asked_for) {
-    if (!contains(topics, absolute(topic))) {
-      throw std::invalid_argument("has no topic " + absolute(topic) +
+  for (const std::string& name : asked_for) {
+    const std::string topic = nameInBag(name, topics);
+    if (topic.empty()) {
+      throw std::invalid_argument("has no topic " + absoluteTopic(name) +
                                   " of geometry_msgs/PoseStamped or move_base_msgs/MoveBaseActionGoal, but " +
                                   contentOf(connections));
     }
-    goals.push_back(absolute(topic));
+    goals.push_back(topic);
   }
   return goals;
 }
@@ -87,14 +96,15 @@ std::vector<std::string> chooseGoals(const Connections& connections, const std::
 std::vector<std::string> chooseEnds(const Connections& connections, const std::vector<std::string>& goals) {
   std::set<std::string> servers = {"/move_base"};
   for (const std::string& goal : goals) {
-    servers.insert(goal.substr(0, goal.rfind('/')));
+    const std::string topic = absoluteTopic(goal);
+    servers.insert(topic.substr(0, topic.rfind('/')));
   }
   std::vector<std::string> ends;
   for (const std::string& server : servers) {
     for (const rosbag::ConnectionInfo* connection : connections) {
-      const bool is_cancel = connection->topic == server + "/cancel" && isOf<actionlib_msgs::GoalID>(*connection);
-      const bool is_result =
-          connection->topic == server + "/result" && isOf<move_base_msgs::MoveBaseActionResult>(*connection);
+      const std::string topic = absoluteTopic(connection->topic);
+      const bool is_cancel = topic == server + "/cancel" && isOf<actionlib_msgs::GoalID>(*connection);
+      const bool is_result = topic == server + "/result" && isOf<move_base_msgs::MoveBaseActionResult>(*connection);
       if ((is_cancel || is_result) && !contains(ends, connection->topic)) ends.push_back(connection->topic);
     }
   }
@@ -102,6 +112,8 @@ std::vector<std::string> chooseEnds(const Connections& connections, const std::v
 }
 
 }  // namespace
+
+std::string absoluteTopic(const std::string& name) { return name.empty() || name[0] == '/' ? name : "/" + name; }
 
 std::vector<std::string> BagTopics::all() const {
   std::vector<std::string> topics = {scan};
@@ -120,8 +132,9 @@ BagTopics chooseTopics(rosbag::View* view, const BagDriveOptions& options) {
   }
   topics.odometry = choose<nav_msgs::Odometry>(connections, options.odometry_topic, "--odometry-topic");
   const std::vector<std::string> transforms = topicsOf<tf2_msgs::TFMessage>(connections);
-  for (const char* topic : {"/tf", "/tf_static"}) {
-    if (contains(transforms, topic)) topics.transforms.emplace_back(topic);
+  for (const char* name : {"/tf", "/tf_static"}) {
+    const std::string topic = nameInBag(name, transforms);
+    if (!topic.empty()) topics.transforms.push_back(topic);
   }
   if (topics.odometry.empty() && topics.transforms.empty()) {
     throw std::invalid_argument("has no odometry: expected a topic of nav_msgs/Odometry, or /tf, among " +

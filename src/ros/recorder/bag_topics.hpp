@@ -9,7 +9,10 @@
 
 namespace lstm_planner {
 
-/// Which of a bag's topics are listened to.
+/// Only rosbag record always writes the slash in front: programs that write bags may leave it out.
+std::string absoluteTopic(const std::string& name);
+
+/// Which of a bag's topics are listened to, as the bag calls them.
 struct BagTopics {
   std::string scan;
   std::string odometry;  ///< empty: from tf
