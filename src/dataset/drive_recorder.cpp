@@ -32,8 +32,7 @@ DriveRecorder::DriveRecorder(const RecorderParameters& parameters, StepSink* sin
 
 void DriveRecorder::add(DriveEvent event) {
   if (const std::string flaw = flawOf(event); !flaw.empty()) {
-    sink_->reject(Rejection::kNotFinite);
-    sink_->explain(Rejection::kNotFinite, flaw);
+    reject(Rejection::kNotFinite, flaw);
     return;
   }
   const bool is_sensed = std::holds_alternative<OdometryHeard>(event) || std::holds_alternative<ScanHeard>(event);
@@ -46,6 +45,11 @@ void DriveRecorder::add(DriveEvent event) {
   if (verdict == EventOrder::Verdict::kClockSet) {
     workOnWhatIsDue(true);
     endEpisode(EpisodeEnd::kTimeJump);
+    for (std::size_t i = 0; i < waiting_.size(); ++i) {
+      reject(Rejection::kNoOdometry, "the stamps jump from " + std::to_string(newest_) + " s to " +
+                                         std::to_string(stamp) +
+                                         " s: scanner and odometry have different clocks, or the clock was set");
+    }
     waiting_.clear();
     last_sample_.reset();
     last_unusable_.reset();
@@ -53,9 +57,18 @@ void DriveRecorder::add(DriveEvent event) {
     newest_ = stamp;
     verdict = order_.add(std::move(event));
   }
-  if (verdict == EventOrder::Verdict::kLate) sink_->reject(Rejection::kLate);
+  if (verdict == EventOrder::Verdict::kLate) {
+    reject(Rejection::kLate, "a message comes " + std::to_string(newest_ - stamp) +
+                                 " s after others with later stamps, expected at most delay = " +
+                                 std::to_string(parameters_.delay) + " s");
+  }
   newest_ = std::max(newest_, stamp);
   workOnWhatIsDue(false);
+}
+
+void DriveRecorder::reject(Rejection rejection, const std::string& why) {
+  sink_->reject(rejection);
+  sink_->explain(rejection, why);
 }
 
 void DriveRecorder::workOnWhatIsDue(bool all) {
@@ -134,10 +147,7 @@ void DriveRecorder::sample(const ScanHeard& scan) {
   if (last_sample_ && number <= *last_sample_) return;
   if (const std::string flaw = see(scan); !flaw.empty()) {
     // The next scan may do; how many did not, within one sample, depends on the scanner's rate alone.
-    if (last_unusable_ != number) {
-      sink_->reject(Rejection::kUnusableScan);
-      sink_->explain(Rejection::kUnusableScan, flaw);
-    }
+    if (last_unusable_ != number) reject(Rejection::kUnusableScan, flaw);
     last_unusable_ = number;
     return;
   }
@@ -153,7 +163,8 @@ void DriveRecorder::sample(const ScanHeard& scan) {
   }
   const std::optional<Pose2> frame = lookup_(goal_->frame, scan.stamp);
   if (!frame) {
-    sink_->reject(Rejection::kNoTransform);
+    reject(Rejection::kNoTransform,
+           "no transform leads from the goal's frame '" + goal_->frame + "' to that of the odometry");
     return;
   }
   goal_position_ = toParentFrame(*frame, {goal_->pose.x, goal_->pose.y});

@@ -34,8 +34,8 @@ class DriveRecorder {
   /// What has a flaw (flawOf()) is rejected.
   void add(DriveEvent event);
 
-  /// Something was heard that could not become an event.
-  void reject(Rejection rejection) { sink_->reject(rejection); }
+  /// Something was heard that could not become an event; `why` is a sentence.
+  void reject(Rejection rejection, const std::string& why);
 
   /// Works on all that was heard and ends the episode.
   void finish();

@@ -146,7 +146,7 @@ bool DriveMessages::isUsable(const DriveEvent& event) {
 
 void DriveMessages::reject(Rejection rejection, const std::string& problem) {
   problem_ = problem;
-  recorder_.reject(rejection);
+  recorder_.reject(rejection, problem);
 }
 
 }  // namespace lstm_planner

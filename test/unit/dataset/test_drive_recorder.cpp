@@ -304,6 +304,36 @@ TEST_F(DriveRecorderTest, ScansWithoutOdometryAroundThemAreCounted) {
   EXPECT_EQ(steps_.episodes().at(0).steps.size(), 7u);
 }
 
+TEST_F(DriveRecorderTest, ScansOfAnotherClockThanTheOdometrysAreCountedWithTheReason) {
+  for (const double difference : {50.0, -50.0}) {
+    steps_ = {};
+    DrivenRobot robot;
+    robot.events.push_back(goalAt(robot.time(), 10.0, 0.0));
+    robot.drive(1.0, {0.3, 0.0});
+    long scans = 0;
+    for (DriveEvent& event : robot.events) {
+      if (auto* scan = std::get_if<ScanHeard>(&event)) {
+        scan->stamp += difference;
+        ++scans;
+      }
+    }
+    record(robot.events);
+    EXPECT_TRUE(steps_.episodes().empty());
+    EXPECT_EQ(steps_.rejected(Rejection::kNoOdometry), scans - 1);  // the last one still waits
+    EXPECT_NE(steps_.reason(Rejection::kNoOdometry).find("different clocks"), std::string::npos);
+  }
+}
+
+TEST_F(DriveRecorderTest, LateMessagesAreCountedWithTheirDelay) {
+  DrivenRobot robot;
+  robot.drive(1.0, {0.3, 0.0});
+  robot.events.push_back(scanAt(robot.time() - 0.5));
+  record(robot.events);
+  EXPECT_EQ(steps_.rejected(Rejection::kLate), 1);
+  EXPECT_EQ(steps_.reason(Rejection::kLate),
+            "a message comes 0.500000 s after others with later stamps, expected at most delay = 0.300000 s");
+}
+
 TEST_F(DriveRecorderTest, ScansThatCannotBeAveragedAreCountedAndTheNextIsTaken) {
   DrivenRobot robot;
   robot.events.push_back(goalAt(robot.time(), 10.0, 0.0));
@@ -342,6 +372,8 @@ TEST_F(DriveRecorderTest, AGoalInAFrameThatIsNotKnownIsCounted) {
   record(robot.events);
   EXPECT_TRUE(steps_.episodes().empty());
   EXPECT_EQ(steps_.rejected(Rejection::kNoTransform), 3);
+  EXPECT_EQ(steps_.reason(Rejection::kNoTransform),
+            "no transform leads from the goal's frame 'map' to that of the odometry");
 }
 
 TEST_F(DriveRecorderTest, TheOrderOfArrivalDoesNotMatter) {
