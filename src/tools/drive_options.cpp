@@ -40,7 +40,7 @@ void addRobotOptions(DriveOptions* options, CommandLine* line) {
   line->section("the robot");
   line->addText(
       "robot", "create2_hokuyo",
-      [options](const std::string& name) { readRobotFile(name, &options->drive, &options->agent); },
+      [options](const std::string& name) { readRobotFile(name, &options->drive, &options->agent, &options->model); },
       "name of a file in config/robots, or path of a file of the same form; other options override its values");
   line->addFile("model", &options->model, "ONNX file of the network");
   visitHokuyoParameters(options->drive.robot.scanner,

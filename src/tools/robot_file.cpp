@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -24,11 +26,31 @@ namespace {
 
 constexpr double kSameDiameter = 0.001;  // m
 
+/// By their names on the parameter server, where `moving/range: 8` is the same as `moving: {range: 8}`.
+using Values = std::map<std::string, YAML::Node>;
+
+/// Of what is given twice the parameter server keeps the last alone, of a group as well: the rest of the first is lost.
+void collect(const std::string& path, const YAML::Node& node, const std::string& name, Values* values) {
+  const auto refuseTwice = [&](const std::string& what) {
+    throw std::invalid_argument(path + ": " + what + " is given twice, and a robot takes the last one alone");
+  };
+  if (!node.IsMap()) {
+    if (!values->emplace(name, node).second) refuseTwice(name);
+    return;
+  }
+  std::set<std::string> keys;
+  for (const auto& entry : node) {
+    const std::string key = (name.empty() ? "" : name + "/") + entry.first.as<std::string>();
+    if (!keys.insert(key).second) refuseTwice(key);
+    collect(path, entry.second, key, values);
+  }
+}
+
 /// Reads one group of a file into variables that hold their defaults.
 class GroupReader {
  public:
-  GroupReader(const std::string& file, const YAML::Node& root, const std::string& group)
-      : place_(file + ": " + group), group_(root[group]) {}
+  GroupReader(const std::string& file, const Values& values, const std::string& group)
+      : file_(file), values_(values), group_(group) {}
 
   /// See parameter_visitors.hpp. Not longer than the reader lives.
   auto visitor() {
@@ -36,24 +58,32 @@ class GroupReader {
   }
 
   /// Throws std::invalid_argument when the group has something that was not read.
-  void refuseUnknown() const { refuseUnknown(group_, ""); }
+  void refuseUnknown() const {
+    const std::string prefix = group_ + "/";
+    for (const auto& [name, node] : values_) {
+      if (name == group_ && !node.IsNull()) {
+        throw std::invalid_argument(file_ + ": " + name + " is not a group of parameters");
+      }
+      if (name.compare(0, prefix.size(), prefix) != 0) continue;
+      const std::string own = name.substr(prefix.size());
+      if (contains(known_, own)) continue;
+      throw std::invalid_argument(file_ + ": " + name + ": there is no parameter of that name" +
+                                  hintAtParameter(own, known_));
+    }
+  }
 
  private:
   template <typename Value>
   void read(const std::string& name, Value* value) {
     known_.push_back(name);
-    YAML::Node node = group_;
-    std::istringstream parts(name);
-    for (std::string part; std::getline(parts, part, '/');) {
-      if (!node.IsDefined() || !node.IsMap()) return;
-      const YAML::Node inner = std::as_const(node)[part];
-      if (!inner.IsDefined()) return;
-      node.reset(inner);
-    }
+    const auto found = values_.find(group_ + "/" + name);
+    if (found == values_.end()) return;
+    const YAML::Node& node = found->second;
     try {
       assign(node, value);
     } catch (const YAML::Exception&) {
-      throw std::invalid_argument(place_ + "/" + name + " has the wrong type");
+      throw std::invalid_argument(file_ + ": " + found->first + " is '" + (node.IsNull() ? "" : YAML::Dump(node)) +
+                                  "', expected " + kindOf(*value));
     }
   }
 
@@ -63,27 +93,23 @@ class GroupReader {
   }
   /// A list, such as a footprint, is the text of it.
   static void assign(const YAML::Node& node, std::string* value) {
+    if (node.IsNull()) throw YAML::BadConversion(node.Mark());
     YAML::Emitter text;
     text << YAML::Flow << node;
     *value = node.IsSequence() ? text.c_str() : node.as<std::string>();
   }
 
-  void refuseUnknown(const YAML::Node& node, const std::string& prefix) const {
-    if (!node.IsDefined() || node.IsNull()) return;
-    if (!node.IsMap()) throw std::invalid_argument(place_ + " is not a group of parameters");
-    for (const auto& entry : node) {
-      const std::string name = prefix + entry.first.as<std::string>();
-      if (contains(known_, name)) continue;
-      if (!entry.second.IsMap()) {
-        throw std::invalid_argument(place_ + "/" + name + ": there is no parameter of that name" +
-                                    hintAtParameter(name, known_));
-      }
-      refuseUnknown(entry.second, name + "/");
-    }
+  static const char* kindOf(double) { return "a number"; }
+  static const char* kindOf(bool) { return "true or false"; }
+  static const char* kindOf(const std::string&) { return "a text or a list"; }
+  template <typename Whole>
+  static const char* kindOf(Whole) {
+    return "a whole number";
   }
 
-  std::string place_;
-  YAML::Node group_;
+  std::string file_;
+  const Values& values_;
+  std::string group_;
   std::vector<std::string> known_;
 };
 
@@ -113,18 +139,27 @@ void checkSecondScanner(const std::string& path, const SensorParameters& planner
   }
 }
 
-/// Or another robot would be tried than the one that drives.
-void checkBody(const std::string& path, const ShieldParameters& shield, const Create2Parameters& simulated) {
+/// Each plugin knows its own only, and one that the file leaves out is that of a Create 2. With another body simulated,
+/// another robot would be tried than the one that drives.
+void checkBody(const std::string& path, const ShieldParameters& shield, const SteeringControllerParameters& controller,
+               const Create2Parameters& simulated) {
   const auto refuse = [&](const std::string& name, const std::string& value, const std::string& expected) {
-    throw std::invalid_argument(path + ": create2_stub/robot/" + name + " is " + value + ", expected " + expected +
+    throw std::invalid_argument(path + ": " + name + " is " + value + ", expected " + expected +
                                 " as for LstmGlobalPlanner/shield");
   };
-  if (simulated.footprint != shield.footprint) {
-    refuse("footprint", "'" + simulated.footprint + "'", "'" + shield.footprint + "'");
+  for (const auto& [name, footprint] : {std::pair<const char*, std::string>{"SteeringController", controller.footprint},
+                                        {"create2_stub/robot", simulated.footprint}}) {
+    if (footprint == shield.footprint) continue;
+    refuse(std::string(name) + "/footprint", "'" + footprint + "'", "'" + shield.footprint + "'");
+  }
+  if (!shield.footprint.empty()) return;
+  if (controller.footprint_radius != shield.footprint_radius) {
+    refuse("SteeringController/footprint_radius", std::to_string(controller.footprint_radius),
+           std::to_string(shield.footprint_radius));
   }
   const double diameter = 2.0 * shield.footprint_radius;
-  if (shield.footprint.empty() && std::abs(simulated.base_diameter - diameter) > kSameDiameter) {
-    refuse("base_diameter", std::to_string(simulated.base_diameter), std::to_string(diameter));
+  if (std::abs(simulated.base_diameter - diameter) > kSameDiameter) {
+    refuse("create2_stub/robot/base_diameter", std::to_string(simulated.base_diameter), std::to_string(diameter));
   }
 }
 
@@ -140,10 +175,10 @@ std::vector<Point2> outlineOf(const Footprint& footprint) {
 }
 
 /// Where a costmap's footprint reaches beyond that of the plugins, the real robot would use the costmap's.
-void checkCostmap(const std::string& path, const YAML::Node& root, const std::string& costmap, const Footprint& own) {
+void checkCostmap(const std::string& path, const Values& values, const std::string& costmap, const Footprint& own) {
   double radius = 0.0;
   std::string corners;
-  GroupReader group(path, root, costmap);
+  GroupReader group(path, values, costmap);
   const auto visit = group.visitor();
   visit("robot_radius", radius, {}, "", "");
   visit("footprint", corners, {}, "", "");
@@ -169,7 +204,8 @@ bool isMisspelt(const std::string& name, const std::string& group) {
 void checkGroups(const std::string& path, const YAML::Node& root) {
   bool has_one = false;
   for (const auto& entry : root) {
-    const std::string name = entry.first.as<std::string>();
+    const std::string key = entry.first.as<std::string>();
+    const std::string name = key.substr(0, key.find('/'));
     for (const char* group : {"LstmGlobalPlanner", "SteeringController", "create2_stub"}) {
       has_one = has_one || name == group;
       if (!isMisspelt(name, group)) continue;
@@ -184,35 +220,32 @@ void checkGroups(const std::string& path, const YAML::Node& root) {
 
 }  // namespace
 
-void readRobotFile(const std::string& name, DriveParameters* drive, AgentParameters* agent) {
+void readRobotFile(const std::string& name, DriveParameters* drive, AgentParameters* agent, std::string* model) {
   const auto [path, root] =
       readShippedYaml("robot", "config/robots", name, "groups of parameters, as in config/robots/create2_hokuyo.yaml");
 
   checkGroups(path, root);
+  Values values;
+  collect(path, root, "", &values);
 
   GlobalPlannerParameters planner;
   planner.agent = *agent;
   planner.rollout = drive->rollout;
-  GroupReader planner_group(path, root, "LstmGlobalPlanner");
+  GroupReader planner_group(path, values, "LstmGlobalPlanner");
   visitGlobalPlannerParameters(planner, planner_group.visitor());
   planner_group.refuseUnknown();
   *agent = planner.agent;
   drive->rollout = planner.rollout;
+  const std::string package = "package://lstm_planner/";  // whose files the tool finds without ROS
+  *model =
+      planner.model.compare(0, package.size(), package) == 0 ? planner.model.substr(package.size()) : planner.model;
 
   SteeringControllerParameters controller;
   controller.motion = drive->motion;
-  controller.footprint_radius = agent->shield.footprint_radius;
-  controller.footprint = agent->shield.footprint;
-  GroupReader controller_group(path, root, "SteeringController");
+  GroupReader controller_group(path, values, "SteeringController");
   visitSteeringControllerParameters(controller, controller_group.visitor());
   controller_group.refuseUnknown();
   drive->motion = controller.motion;
-  if (controller.footprint != agent->shield.footprint) {
-    throw std::invalid_argument(path + ": SteeringController/footprint is '" + controller.footprint +
-                                "', expected the one of LstmGlobalPlanner/shield, '" + agent->shield.footprint + "'");
-  }
-  // Both look at the same shield here: the larger one is safe for both.
-  agent->shield.footprint_radius = std::max(agent->shield.footprint_radius, controller.footprint_radius);
 
   // What the file does not say of the simulated robot is as for the plugins.
   Create2Parameters& base = drive->robot.base;
@@ -220,15 +253,15 @@ void readRobotFile(const std::string& name, DriveParameters* drive, AgentParamet
   base.base_diameter = 2.0 * agent->shield.footprint_radius;
   base.axle_length = controller.motion.axle_length;
   base.max_wheel_speed = controller.motion.max_wheel_speed;
-  GroupReader simulation(path, root, "create2_stub");
+  GroupReader simulation(path, values, "create2_stub");
   const auto visit = simulation.visitor();
   visitCreate2Parameters(drive->robot.base, withPrefix("robot/", visit));
   visitHokuyoParameters(drive->robot.scanner, withPrefix("laser/", visit));
   drive->robot.second_scanner = readSecondScanner(visit);
   simulation.refuseUnknown();
-  checkBody(path, agent->shield, drive->robot.base);
+  checkBody(path, agent->shield, controller, drive->robot.base);
   for (const char* costmap : {"global_costmap", "local_costmap"}) {
-    checkCostmap(path, root, costmap, footprintOf(agent->shield));
+    checkCostmap(path, values, costmap, footprintOf(agent->shield));
   }
   checkSecondScanner(path, planner.sensors, controller.sensors, drive->robot.second_scanner.has_value());
 }

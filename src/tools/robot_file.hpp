@@ -10,8 +10,8 @@ namespace lstm_planner {
 /// the scanner, in the groups of config/robots/*.yaml. What the file does not say stays as it is.
 ///
 /// `name`: a path, or NAME for config/robots/NAME.yaml. Throws std::invalid_argument for a file that there is not, that
-/// has none of these groups or a misspelt one, that names a parameter that there is not, or whose costmaps have a
-/// larger footprint than the plugins.
-void readRobotFile(const std::string& name, DriveParameters* drive, AgentParameters* agent);
+/// has none of these groups or a misspelt one, that names a parameter that there is not or one twice, whose plugins
+/// have different footprints, or whose costmaps have a larger one.
+void readRobotFile(const std::string& name, DriveParameters* drive, AgentParameters* agent, std::string* model);
 
 }  // namespace lstm_planner

@@ -79,8 +79,10 @@ TEST_F(DriveRobots, AFileOfSomethingElseIsRefused) {
 
 TEST_F(DriveRobots, ACostmapWithALargerRobotIsRefused) {
   const auto outcomeWith = [&](const std::string& costmap) {
-    return drive("--worlds open --goals 1 --time-limit 1 --robot " +
-                 fileWith("LstmGlobalPlanner: {shield: {footprint_radius: 0.2}}\n" + costmap));
+    return drive(
+        "--worlds open --goals 1 --time-limit 1 --robot " +
+        fileWith("LstmGlobalPlanner: {shield: {footprint_radius: 0.2}}\nSteeringController: {footprint_radius: 0.2}\n" +
+                 costmap));
   };
   EXPECT_NE(outcomeWith("local_costmap: {robot_radius: 0.3}\n")
                 .output.find("local_costmap/robot_radius reaches 0.100 m beyond the footprint of the plugins"),
@@ -89,6 +91,45 @@ TEST_F(DriveRobots, ACostmapWithALargerRobotIsRefused) {
                 .output.find("global_costmap/footprint reaches 0.116 m"),  // hypot(0.3, 0.1) - 0.2
             std::string::npos);
   EXPECT_EQ(outcomeWith("global_costmap: {robot_radius: 0.2, footprint: '[]'}\n").status, 0);
+}
+
+TEST_F(DriveRobots, ANameWithSlashesIsTheSameAsGroupsInEachOther) {
+  for (const std::string text : {"SteeringController: {moving/range: -3}\n", "SteeringController/moving/range: -3\n",
+                                 "SteeringController/moving: {range: -3}\n"}) {
+    const std::string output = drive("--worlds open --goals 1 --robot " + fileWith(text)).output;
+    EXPECT_NE(output.find("moving/range is -3, expected"), std::string::npos) << output;
+  }
+}
+
+TEST_F(DriveRobots, WhatIsGivenTwiceIsRefused) {
+  for (const auto& [text, name] :
+       {std::pair<std::string, std::string>
+        // The robot would have the default footprint.
+        {"SteeringController: {footprint_radius: 0.3}\nSteeringController: {max_linear: 0.2}\n", "SteeringController"},
+        {"SteeringController: {max_linear: 0.2, max_linear: 0.3}\n", "SteeringController/max_linear"},
+        {"SteeringController: {moving: {range: 3}, moving/range: 4}\n", "SteeringController/moving/range"}}) {
+    const std::string output = drive("--worlds open --goals 1 --robot " + fileWith(text)).output;
+    EXPECT_NE(output.find(": " + name + " is given twice"), std::string::npos) << output;
+  }
+}
+
+TEST_F(DriveRobots, AFootprintOfOnePluginAloneIsRefused) {
+  const auto refusal = [&](const std::string& text) {
+    return drive("--worlds open --goals 1 --robot " + fileWith(text)).output;
+  };
+  EXPECT_NE(refusal("LstmGlobalPlanner: {shield: {footprint_radius: 0.3}}\n")
+                .find("SteeringController/footprint_radius is 0.174250, expected 0.300000"),
+            std::string::npos);
+  EXPECT_NE(refusal("LstmGlobalPlanner: {shield: {footprint: [[1, 1], [1, -1], [-1, 0]]}}\n")
+                .find("SteeringController/footprint is '', expected '[[1, 1], [1, -1], [-1, 0]]'"),
+            std::string::npos);
+}
+
+TEST_F(DriveRobots, TheNetworkIsThatOfTheFile) {
+  const std::string robot =
+      "--worlds open --goals 1 --time-limit 1 --robot " + fileWith("LstmGlobalPlanner: {model: /there/is/no.onnx}\n");
+  EXPECT_NE(drive(robot).output.find("/there/is/no.onnx"), std::string::npos);
+  EXPECT_EQ(drive(robot + " --model " LSTM_PLANNER_SOURCE_DIR "/models/create2_lstm.onnx").status, 0);
 }
 
 TEST_F(DriveRobots, WhatIsSetOnTheLineCountsMore) {
@@ -164,7 +205,9 @@ TEST_F(DriveRobots, AFileThatMakesNoSenseIsRefusedWithASentence) {
   EXPECT_TRUE(contains(complaint("robby"), "there is no robot 'robby'"));
   EXPECT_TRUE(
       contains(complaint(fileWith("SteeringController: {max_linaer: 1.0}")), "max_linaer: there is no parameter"));
-  EXPECT_TRUE(contains(complaint(fileWith("SteeringController: {max_linear: fast}")), "max_linear has the wrong type"));
+  EXPECT_TRUE(contains(complaint(fileWith("SteeringController: {max_linear: fast}")),
+                       "SteeringController/max_linear is 'fast', expected a number"));
+  EXPECT_TRUE(contains(complaint(fileWith("SteeringController: {scan_topic: }")), "scan_topic is '', expected a text"));
   EXPECT_TRUE(contains(complaint(fileWith("SteeringController: {max_linear: -1.0}")), "max_linear is -1"));
   const std::string second = "{second_scan_topic: rear}";
   EXPECT_TRUE(contains(complaint(fileWith("LstmGlobalPlanner: " + second)),
