@@ -1,7 +1,9 @@
 #include "tools/drive_options.hpp"
 
+#include <limits>
 #include <stdexcept>
 
+#include "lstm_planner/drive/perception/sectors.hpp"
 #include "lstm_planner/simulation/generated_world.hpp"
 #include "tools/command_line.hpp"
 #include "tools/output_file.hpp"
@@ -97,6 +99,13 @@ void checkKnowsMap(const DriveOptions& options) {
   }
 }
 
+/// Throws UnusableScan if the planner would refuse each scan, also of an open field: the robot would stand in silence.
+void checkView(const HokuyoParameters& scanner) {
+  const std::vector<float> ranges(static_cast<std::size_t>(scanner.beams), std::numeric_limits<float>::infinity());
+  averageSectors({0.0, scanner.angle_min, scanner.angle_increment, scanner.range_min, scanner.range_max, ranges},
+                 scanner.mount, Hokuyo::rules(), scanner.sight);
+}
+
 void check(const DriveOptions& options) {
   if (options.knows_map) checkKnowsMap(options);
   const int sources = (options.maps.empty() ? 0 : 1) + (options.barn.empty() ? 0 : 1) + (options.kind.empty() ? 0 : 1);
@@ -107,6 +116,7 @@ void check(const DriveOptions& options) {
   if (!options.kind.empty() && options.kind != kDynaBarn) worldKindOf(options.kind);
   validate(options.drive.robot.base);
   validate(options.drive.robot.scanner);
+  checkView(options.drive.robot.scanner);
   validate(options.drive.motion);
   validate(options.agent);
   if (!options.states.empty() && (options.only.size() != 1 || options.agent.leader != Leader::kNetwork)) {
