@@ -112,7 +112,10 @@ void DriveRecorder::work(const OdometryHeard& odometry) {
   std::vector<ScanHeard> scans;
   scans.swap(waiting_);
   for (const ScanHeard& scan : scans) {
-    if (has_jumped || elapsed > kLongestInterpolation || scan.stamp < before) {
+    if (elapsed > kLongestInterpolation) {
+      reject(Rejection::kNoOdometry, "from one odometry message to the next it takes " + std::to_string(elapsed) +
+                                         " s, expected at most " + std::to_string(kLongestInterpolation) + " s");
+    } else if (has_jumped || scan.stamp < before) {
       sink_->reject(Rejection::kNoOdometry);
     } else {
       sample(scan);

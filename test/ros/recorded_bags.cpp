@@ -340,6 +340,23 @@ TEST(RecordedBagTest, WhatIsMissingOrAmbiguousIsRefusedInASentence) {
             0u);
 }
 
+TEST(RecordedBagTest, MessagesWithoutAFrameAreRefusedWhereItIsNeeded) {
+  DriveBagContent content;
+  content.scan_frame = "";
+  BagDriveOptions options;
+  const std::string scans = written("no_scan_frame.bag", content);
+  EXPECT_EQ(refusalOf(scans).find("has scans without a frame"), 0u);
+  options.mount = SensorMount{{DriveBag::kMount, 0.0, 0.0}, false};
+  EXPECT_GT(recorded(scans, options).steps(), 0);
+  content = {};
+  content.odometry_frame = "";
+  const std::string odometry = written("no_odometry_frame.bag", content);
+  EXPECT_EQ(refusalOf(odometry).find("has odometry without a frame, expected one in header.frame_id on /odom"), 0u);
+  options = {};
+  options.hindsight = true;
+  EXPECT_GT(recorded(odometry, options).steps(), 0);
+}
+
 TEST(RecordedBagTest, FilesThatAreNoBagsAreRefusedInASentence) {
   EXPECT_EQ(refusalOf(pathOf("none.bag")).find("cannot be read: "), 0u);
   EXPECT_EQ(refusalOf(testing::TempDir()).find("cannot be read: "), 0u) << refusalOf(testing::TempDir());

@@ -264,6 +264,11 @@ class Survey : public BagListener {
 
   /// A guess would make steps that look right and are wrong.
   void requireMount(const tf2::BufferCore& tf) const {
+    if (scan_frame_.empty()) {
+      throw std::invalid_argument(
+          "has scans without a frame, expected one in header.frame_id, or the scanner's pose as "
+          "--mount");
+    }
     if (scan_frame_ == base_frame_ || tf.canTransform(base_frame_, scan_frame_, ros::Time(0))) return;
     throw std::invalid_argument(
         "has no transform from " + base_frame_ + " to the scanner's frame " + scan_frame_ +
@@ -348,6 +353,10 @@ void checkContent(const BagDriveResult& result, const BagDriveOptions& options) 
                                            options.odometry_frame + " to " + options.base_frame +
                                            " (--odometry-frame, --base-frame)"
                                      : "messages on " + result.odometry_source));
+  }
+  if (!options.hindsight && result.odometry_frame.empty()) {
+    throw std::invalid_argument("has odometry without a frame, expected one in header.frame_id on " +
+                                result.odometry_source + ": only goals in hindsight need none");
   }
   if (!options.hindsight && result.goals == 0) {
     throw std::invalid_argument(

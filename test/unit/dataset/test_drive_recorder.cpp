@@ -301,6 +301,8 @@ TEST_F(DriveRecorderTest, ScansWithoutOdometryAroundThemAreCounted) {
   record(events);
   // From 101.0, when odometry was last heard, to 102.1.
   EXPECT_EQ(steps_.rejected(Rejection::kNoOdometry), 43);
+  EXPECT_EQ(steps_.reason(Rejection::kNoOdometry),
+            "from one odometry message to the next it takes 1.100000 s, expected at most 0.500000 s");
   EXPECT_EQ(steps_.episodes().at(0).steps.size(), 7u);
 }
 
