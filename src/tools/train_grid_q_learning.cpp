@@ -153,10 +153,6 @@ class GridQLearningHost : public GridTrainingHost {
   std::vector<GridCurvePoint> points_;
 };
 
-/// By the names of --reward.
-const Choices<QLearningParameters::Reward> kRewards = {{"progress", QLearningParameters::Reward::kProgress},
-                                                       {"thesis", QLearningParameters::Reward::kThesis}};
-
 /// False when the help was asked for. Throws with a sentence for values that make no sense.
 bool readOptions(const std::vector<std::string>& arguments, GridTrainingOptions* options,
                  GridQLearningParameters* parameters) {
@@ -172,9 +168,6 @@ bool readOptions(const std::vector<std::string>& arguments, GridTrainingOptions*
            "share of the training episodes whose length is drawn with a probability proportional to 1 / length; the "
            "others uniformly");
   visitGridQLearningParameters(p, line.everyParameter());
-  line.addChoice(
-      "reward", &p.reward, kRewards,
-      "progress (how much shorter the true shortest path to the goal has become, minus a cost) or thesis (Eq. 2.36)");
   visitQLearningParameters(p, line.everyParameter());
   if (!line.parse(arguments)) return false;
   p.course.min_length = options->min_length;

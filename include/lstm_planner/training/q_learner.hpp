@@ -11,25 +11,9 @@
 
 namespace lstm_planner {
 
-/// Weights of the reward that the thesis quotes (Eq. 2.36), R(s) = -sum(tau_r r_i) + tau_d d + tau_theta theta.
-///
-/// As printed, and with weights above zero, it would send an agent away from its goal and towards the walls. It is read
-/// as R(s) = -(tau_r sum(1 / r_i) + tau_d d + tau_theta theta): the minus stands before the whole sum, and the
-/// "proximity" r_i is near if the range is short. So every term is a cost that ends with the arrival.
-struct ThesisRewardWeights {
-  double range = 0.02;     ///< tau_r, times the unit of length / range, of each range
-  double distance = 0.02;  ///< tau_d, a unit of length
-  double angle = 0.1;      ///< tau_theta, a rad
-};
-
 /// What every Q-learning training needs, whatever the course is (Watkins and Dayan 1992; thesis Eq. 2.34-2.39). A
 /// course has its own defaults and its own unit of length.
 struct QLearningParameters {
-  /// What a step is rewarded for.
-  enum class Reward {
-    kProgress,  ///< how much shorter the true shortest path to the goal has become, less a cost a step
-    kThesis,    ///< Eq. 2.36, of the state in which the step starts
-  };
   int window = 64;         ///< steps; errors go back at most that far
   int max_steps = 300;     ///< of an episode
   double discount = 0.95;  ///< gamma, a step, in [0, 1)
@@ -45,12 +29,10 @@ struct QLearningParameters {
   double exploration_start = 1.0;  ///< share of random actions (epsilon), sinking linearly
   double exploration_end = 0.05;
   double exploration_share = 0.5;  ///< of the updates, after which exploration_end is reached
-  Reward reward = Reward::kProgress;
-  double step_cost = 0.0;      ///< a length; kProgress only
-  double arrival_bonus = 0.0;  ///< a length; kProgress only
-  ThesisRewardWeights thesis_reward;
-  double value_scale = 1.0;  ///< an output of the network times this is a value, in the reward's unit
-  double huber = 1.0;        ///< errors of values beyond it count linearly, not by their square
+  double step_cost = 0.0;          ///< a length
+  double arrival_bonus = 0.0;      ///< a length
+  double value_scale = 1.0;        ///< an output of the network times this is a value, in the reward's unit
+  double huber = 1.0;              ///< errors of values beyond it count linearly, not by their square
   double learning_rate = 0.003;
   double max_gradient_norm = 0.5;
   std::uint64_t seed = 1;
@@ -58,7 +40,7 @@ struct QLearningParameters {
   Communicator* communicator = oneProcess();  ///< ranks that share the work; does not change the result
 };
 
-/// Visits the parameters that have an option, but the reward, named as it; see parameter_visitors.hpp.
+/// Visits the parameters that have an option, named as it; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
 void visitQLearningParameters(Parameters& p, const Visitor& visit) {
   visit("discount", p.discount, {0.0, 1.0}, "", "discount factor per step (gamma)");
@@ -72,14 +54,8 @@ void visitQLearningParameters(Parameters& p, const Visitor& visit) {
   visit("exploration-end", p.exploration_end, {0.0, 1.0}, "", "share of random actions at the end");
   visit("exploration-share", p.exploration_share, {0.0, 1.0}, "",
         "share of the updates after which epsilon has its last value");
-  visit("step-cost", p.step_cost, {0.0, 1e6}, "cells", "cost of a step; for --reward progress");
-  visit("arrival-bonus", p.arrival_bonus, {0.0, 1e6}, "cells", "reward of an arrival; for --reward progress");
-  visit("tau-range", p.thesis_reward.range, {0.0, 1e6}, "",
-        "cost of each range, times the unit of length / range; for --reward thesis");
-  visit("tau-distance", p.thesis_reward.distance, {0.0, 1e6}, "",
-        "cost of the distance from the goal, for each unit of length; for --reward thesis");
-  visit("tau-angle", p.thesis_reward.angle, {0.0, 1e6}, "",
-        "cost of the angle to the goal, for each rad; for --reward thesis");
+  visit("step-cost", p.step_cost, {0.0, 1e6}, "cells", "cost of a step");
+  visit("arrival-bonus", p.arrival_bonus, {0.0, 1e6}, "cells", "reward of an arrival");
   visit("value-scale", p.value_scale, {1e-9, 1e9}, "", "factor from an output of the network to a value");
   visit("huber", p.huber, {1e-9, 1e9}, "",
         "limit of the Huber loss: larger errors count linearly, not by their square");

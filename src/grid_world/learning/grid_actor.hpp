@@ -7,9 +7,6 @@
 
 namespace lstm_planner {
 
-/// R(s) as ThesisRewardWeights says. `previous_direction`: kNoPath before the first move.
-double thesisReward(const GridObservation& observation, int previous_direction, const ThesisRewardWeights& weights);
-
 /// One agent that learns: walks through one episode after the other.
 class GridActor {
  public:

@@ -17,9 +17,8 @@ namespace lstm_planner {
 /// reinforcement learning", ICML 2016), and the hidden state in which a window starts is the one that today's network
 /// has there, where a replayed window would need one that an older network left.
 ///
-/// Lengths are in cells, and an update is made after `window` steps of each agent. In the thesis's reward the ranges
-/// are those of the 8 rays, d is the octile distance to the goal, and theta the angle in [0, pi] between the move
-/// before and the path to the goal, 0 before the first move.
+/// A step is rewarded for how much shorter the true shortest path to the goal has become, less a cost. Lengths are in
+/// cells, and an update is made after `window` steps of each agent.
 struct GridQLearningParameters : QLearningParameters {
   GridQLearningParameters() {
     max_steps = 1000;
