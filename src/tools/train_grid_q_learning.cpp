@@ -164,9 +164,6 @@ bool readOptions(const std::vector<std::string>& arguments, GridTrainingOptions*
   addGridTrainingOptions(arguments, options, &line);
   line.add("goals", &p.course.goals, {1, 1e5},
            "goals in memory at the same time; each needs 4 bytes per cell of its map");
-  line.add("short-share", &p.course.short_share, kAnyShare,
-           "share of the training episodes whose length is drawn with a probability proportional to 1 / length; the "
-           "others uniformly");
   visitGridQLearningParameters(p, line.everyParameter());
   visitQLearningParameters(p, line.everyParameter());
   if (!line.parse(arguments)) return false;

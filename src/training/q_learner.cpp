@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <climits>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -17,6 +16,11 @@ namespace {
 
 /// What a checkpoint says it is.
 constexpr const char* kQLearningFormat = "lstm_planner q-learning 1";
+
+// Share of random actions (epsilon).
+constexpr double kExplorationStart = 1.0;
+constexpr double kExplorationEnd = 0.05;
+constexpr double kExplorationShare = 0.3;  ///< of the updates, after which the end is reached
 
 OptimiserParameters optimiserParameters(const QLearningParameters& parameters) {
   OptimiserParameters optimiser;
@@ -36,13 +40,18 @@ void validate(const QLearningParameters& parameters) {
   validate(optimiserParameters(parameters));
 }
 
-void ValueSums::count(double estimate, double error) {
-  steps += 1.0;
-  value += estimate;
-  squared_error += error * error;
+std::vector<double> lambdaTargets(const std::vector<QTransition>& steps, double discount, double trace_decay) {
+  std::vector<double> targets(steps.size() - 1);
+  double following = steps.back().value;
+  for (std::size_t index = targets.size(); index-- > 0;) {
+    const QTransition& step = steps[index];
+    targets[index] = step.timed_out ? step.estimate : step.reward + (step.arrived ? 0.0 : discount * following);
+    // What came of a move that was not the best says nothing about what the best one is worth.
+    const double trust = step.greedy && !step.timed_out ? trace_decay : 0.0;
+    following = step.value + trust * (targets[index] - step.value);
+  }
+  return targets;
 }
-
-std::vector<double*> numbersOf(ValueSums* sums) { return {&sums->steps, &sums->value, &sums->squared_error}; }
 
 QLearner::QLearner(const QLearningParameters& parameters, int updates, const LayerStack& layers)
     : parameters_(parameters),
@@ -54,10 +63,8 @@ QLearner::QLearner(const QLearningParameters& parameters, int updates, const Lay
 double QLearner::progress() const { return std::min(1.0, static_cast<double>(updates_) / last_update_); }
 
 double QLearner::epsilon() const {
-  const double start = parameters_.exploration_start;
-  const double end = parameters_.exploration_end;
-  const double share = parameters_.exploration_share;
-  return progress() >= share ? end : start + (end - start) * progress() / share;
+  if (progress() >= kExplorationShare) return kExplorationEnd;
+  return kExplorationStart + (kExplorationEnd - kExplorationStart) * progress() / kExplorationShare;
 }
 
 void QLearner::startUpdate() {
@@ -69,17 +76,6 @@ void QLearner::update(const Eigen::VectorXf& gradient) { optimiser_.update(gradi
 void QLearner::finishUpdate(double steps) {
   ++updates_;
   steps_ += steps;
-}
-
-ReinforcementReport QLearner::report(const ValueSums& values) const {
-  ReinforcementReport report;
-  report.update = updates_;
-  report.steps = steps_;
-  if (values.steps > 0.0) {
-    report.value = values.value / values.steps;
-    report.error = std::sqrt(values.squared_error / values.steps);
-  }
-  return report;
 }
 
 std::vector<std::uint8_t> QLearner::checkpoint() const {

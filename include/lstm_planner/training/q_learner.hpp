@@ -7,16 +7,32 @@
 #include "lstm_planner/common/communicator.hpp"
 #include "lstm_planner/network/layers.hpp"
 #include "lstm_planner/training/optimiser.hpp"
-#include "lstm_planner/training/reinforcement_report.hpp"
 
 namespace lstm_planner {
 
-/// What every Q-learning training needs, whatever the course is (Watkins and Dayan 1992; thesis Eq. 2.34-2.39). A
-/// course has its own defaults and its own unit of length.
+/// One step of an agent. Values are in the reward's unit.
+struct QTransition {
+  int direction = 0;
+  double estimate = 0.0;  ///< Q(s, a) of the move that was made, by the network that learns
+  double reward = 0.0;
+  double value = 0.0;   ///< max over a of Q(s, a) by the target network
+  bool greedy = false;  ///< whether the move was the best by the network that learns
+  bool arrived = false;
+  bool timed_out = false;  ///< the episode was cut off after this step
+};
+
+/// What the estimates of consecutive steps should have been: r + gamma max_a' Q(s', a') for trace_decay 0 (Eq. 2.38),
+/// for others Watkins's Q(lambda). Of the last of `steps`, which only says what the state after the others is worth,
+/// nothing but the value counts; it gets no target.
+///
+/// Where an episode was cut off, the state after is unknown: the target is the estimate, so that nothing is learned.
+std::vector<double> lambdaTargets(const std::vector<QTransition>& steps, double discount, double trace_decay);
+
+/// How a network learns the values of moves (Watkins and Dayan 1992; thesis Eq. 2.34-2.39).
 struct QLearningParameters {
   int window = 64;         ///< steps; errors go back at most that far
-  int max_steps = 300;     ///< of an episode
-  double discount = 0.95;  ///< gamma, a step, in [0, 1)
+  int max_steps = 1000;    ///< of an episode
+  double discount = 0.97;  ///< gamma, a step, in [0, 1)
 
   /// lambda in [0, 1] of returns over several steps, up to the next action that was not the best (Watkins's Q(lambda));
   /// 0: one-step targets, Eq. 2.38.
@@ -25,14 +41,8 @@ struct QLearningParameters {
   /// The network that learns chooses the best next action, and the target network gives its value (van Hasselt et al.,
   /// "Deep reinforcement learning with double Q-learning", AAAI 2016); off: the target network does both.
   bool double_q = true;
-  int target_interval = 1;         ///< updates between copies of the weights into the target network
-  double exploration_start = 1.0;  ///< share of random actions (epsilon), sinking linearly
-  double exploration_end = 0.05;
-  double exploration_share = 0.5;  ///< of the updates, after which exploration_end is reached
-  double step_cost = 0.0;          ///< a length
-  double arrival_bonus = 0.0;      ///< a length
-  double value_scale = 1.0;        ///< an output of the network times this is a value, in the reward's unit
-  double huber = 1.0;              ///< errors of values beyond it count linearly, not by their square
+  int target_interval = 50;  ///< updates between copies of the weights into the target network
+  double huber = 5.0;        ///< errors of values beyond it count linearly, not by their square
   double learning_rate = 0.003;
   double max_gradient_norm = 0.5;
   std::uint64_t seed = 1;
@@ -50,13 +60,6 @@ void visitQLearningParameters(Parameters& p, const Visitor& visit) {
         "0: the target network does both");
   visit("target-interval", p.target_interval, {1, 1e9}, "",
         "updates between copies of the weights into the target network");
-  visit("exploration-start", p.exploration_start, {0.0, 1.0}, "", "share of random actions (epsilon) at the start");
-  visit("exploration-end", p.exploration_end, {0.0, 1.0}, "", "share of random actions at the end");
-  visit("exploration-share", p.exploration_share, {0.0, 1.0}, "",
-        "share of the updates after which epsilon has its last value");
-  visit("step-cost", p.step_cost, {0.0, 1e6}, "cells", "cost of a step");
-  visit("arrival-bonus", p.arrival_bonus, {0.0, 1e6}, "cells", "reward of an arrival");
-  visit("value-scale", p.value_scale, {1e-9, 1e9}, "", "factor from an output of the network to a value");
   visit("huber", p.huber, {1e-9, 1e9}, "",
         "limit of the Huber loss: larger errors count linearly, not by their square");
   visit("rate", p.learning_rate, {1e-9, 100.0}, "", "learning rate");
@@ -65,18 +68,9 @@ void visitQLearningParameters(Parameters& p, const Visitor& visit) {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const QLearningParameters& parameters);
 
-/// What is added up over the steps whose values are learned.
-struct ValueSums {
-  double steps = 0.0;
-  double value = 0.0;  ///< of the actions taken
-  double squared_error = 0.0;
-
-  void count(double estimate, double error);
-};
-std::vector<double*> numbersOf(ValueSums* sums);
-
 /// The weights of a network of values while it learns, whatever the course is: the target network, optimiser and
-/// schedule, and the checkpoint of it all. The rate sinks to 0 by half a cosine.
+/// schedule, and the checkpoint of it all. The rate sinks to 0 by half a cosine; the share of random actions sinks
+/// linearly, then stays.
 class QLearner {
  public:
   /// The layers with the weights to start from. Throws std::invalid_argument as validate(OptimiserParameters).
@@ -96,9 +90,6 @@ class QLearner {
   void finishUpdate(double steps);
   int updates() const { return updates_; }
   double steps() const { return steps_; }  ///< of all updates
-
-  /// After the last update. What the agents did, and epsilon, is the course's to fill in.
-  ReinforcementReport report(const ValueSums& values) const;
 
   /// Everything that the next update depends on.
   std::vector<std::uint8_t> checkpoint() const;

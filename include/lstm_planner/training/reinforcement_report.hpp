@@ -13,11 +13,6 @@ struct ReinforcementReport {
   // Actor-critic.
   double entropy = 0.0;    ///< mean, nat
   double explained = 0.0;  ///< share of the returns' variance that the critic explains
-
-  // Q-learning.
-  double epsilon = 0.0;  ///< share of actions at random, in the last update
-  double value = 0.0;    ///< mean of the actions taken: where it grows and grows, learning diverges
-  double error = 0.0;    ///< root of the mean squared error of these values, before the update
 };
 
 }  // namespace lstm_planner

@@ -9,17 +9,17 @@ void GridActor::startEpisode() {
   previous_direction_ = kNoPath;
 }
 
-GridActor::Outcome GridActor::step(int direction, const GridQLearningParameters& parameters) {
+GridActor::Outcome GridActor::step(int direction, int max_steps) {
   const float before = distance();
   walk_.move(direction);
   walked_ += moveLength(direction);
   previous_direction_ = direction;
   Outcome outcome;
   outcome.arrived = walk_.hasArrived();
-  outcome.timed_out = !outcome.arrived && walk_.moves() >= parameters.max_steps;
-  outcome.reward = static_cast<double>(before - distance()) - parameters.step_cost;
+  outcome.timed_out = !outcome.arrived && walk_.moves() >= max_steps;
+  outcome.reward = static_cast<double>(before - distance()) - kStepCost;
   if (outcome.arrived) {
-    outcome.reward += parameters.arrival_bonus;
+    outcome.reward += kArrivalBonus;
     outcome.ratio = walked_ / static_cast<double>(episode_.goal->distances.at(episode_.start));
   }
   if (outcome.arrived || outcome.timed_out) startEpisode();

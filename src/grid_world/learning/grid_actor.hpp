@@ -3,9 +3,12 @@
 #include "grid_world/agent/grid_walk.hpp"
 #include "lstm_planner/grid_world/agent/grid_agent.hpp"
 #include "lstm_planner/grid_world/learning/grid_course.hpp"
-#include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
 
 namespace lstm_planner {
+
+// Of the reward, cells.
+constexpr double kStepCost = 0.2;
+constexpr double kArrivalBonus = 10.0;
 
 /// One agent that learns: walks through one episode after the other.
 class GridActor {
@@ -29,8 +32,8 @@ class GridActor {
   bool possible(int direction) const { return movePossible(observation_.ranges, direction, CornerCutting::kForbidden); }
   Random& random() { return random_; }
 
-  /// `direction` must be possible. Where the episode ends the next one starts.
-  Outcome step(int direction, const GridQLearningParameters& parameters);
+  /// `direction` must be possible. Where the episode ends, at the latest after `max_steps`, the next one starts.
+  Outcome step(int direction, int max_steps);
 
  private:
   void startEpisode();

@@ -44,11 +44,12 @@ class GridQLearningOnMaps final : public GridQLearning {
   }
 
   ReinforcementReport report() override {
-    ReinforcementReport report = learner_.report(sums_.values);
-    if (sums_.values.steps > 0.0) report.reward = sums_.reward / sums_.values.steps;
+    ReinforcementReport report;
+    report.update = learner_.updates();
+    report.steps = learner_.steps();
+    if (sums_.steps > 0.0) report.reward = sums_.reward / sums_.steps;
     report.arrival = sums_.episodes.arrival();
     report.ratio = sums_.episodes.meanRatio();
-    report.epsilon = epsilon_;
     sums_ = {};
     return report;
   }
@@ -85,17 +86,17 @@ class GridQLearningOnMaps final : public GridQLearning {
 
   void update() {
     learner_.startUpdate();
-    epsilon_ = learner_.epsilon();
+    const double epsilon = learner_.epsilon();
     const int count = static_cast<int>(tiles_.size());
     const auto work = [&](int tile, int /*thread*/) {
-      return tiles_[static_cast<std::size_t>(tile)].run(learner_.weights(), learner_.targetWeights(), epsilon_);
+      return tiles_[static_cast<std::size_t>(tile)].run(learner_.weights(), learner_.targetWeights(), epsilon);
     };
     const QSums sums = exchange_.run(count, QSums(), work);
     const Eigen::VectorXf gradient = exchange_.sumOf(
         count, learner_.weights().size(),
         [&](int tile) -> const Eigen::VectorXf& { return tiles_[static_cast<std::size_t>(tile)].gradient(); });
-    learner_.update(gradient / static_cast<float>(sums.values.steps));
-    learner_.finishUpdate(sums.values.steps);
+    learner_.update(gradient / static_cast<float>(sums.steps));
+    learner_.finishUpdate(sums.steps);
     addTo(&sums_, sums);
   }
 
@@ -109,7 +110,6 @@ class GridQLearningOnMaps final : public GridQLearning {
   int epoch_ = 0;
   bool epoch_done_ = false;  ///< by the last step
   QSums sums_;
-  double epsilon_ = 0.0;
 };
 
 }  // namespace

@@ -25,9 +25,8 @@ int randomMove(GridActor& walker) {
 
 std::vector<double*> numbersOf(QSums* sums) {
   GridEpisodeSums& episodes = sums->episodes;
-  std::vector<double*> all = numbersOf(&sums->values);
-  all.insert(all.end(), {&sums->reward, &episodes.ended, &episodes.arrived, &episodes.ratio});
-  return all;
+  return {&sums->steps,    &sums->value,      &sums->squared_error, &sums->reward,
+          &episodes.ended, &episodes.arrived, &episodes.ratio};
 }
 
 QTile::QTile(const GridQLearningParameters& parameters, const LayerStack& layers, const GridCourse& course,
@@ -90,7 +89,7 @@ void QTile::valueState(int step, int actor) {
   QTransition& transition = windows_[static_cast<std::size_t>(actor)][static_cast<std::size_t>(step)];
   transition.direction = best(network_.outputs(step));
   const int chosen = parameters_.double_q ? transition.direction : best(target_outputs);
-  transition.value = parameters_.value_scale * static_cast<double>(target_outputs[outputAt(actor, chosen)]);
+  transition.value = kValueScale * static_cast<double>(target_outputs[outputAt(actor, chosen)]);
 }
 
 void QTile::move(int step, int actor, double epsilon) {
@@ -100,8 +99,8 @@ void QTile::move(int step, int actor, double epsilon) {
   if (uniform(walker.random()) < epsilon) transition.direction = randomMove(walker);
   transition.greedy = transition.direction == best;
   transition.estimate =
-      parameters_.value_scale * static_cast<double>(network_.outputs(step)[outputAt(actor, transition.direction)]);
-  const GridActor::Outcome outcome = walker.step(transition.direction, parameters_);
+      kValueScale * static_cast<double>(network_.outputs(step)[outputAt(actor, transition.direction)]);
+  const GridActor::Outcome outcome = walker.step(transition.direction, parameters_.max_steps);
   transition.reward = outcome.reward;
   transition.arrived = outcome.arrived;
   transition.timed_out = outcome.timed_out;
@@ -118,8 +117,10 @@ void QTile::judge(int actor) {
     float* gradient = network_.outputGradient(step);
     for (int direction = 0; direction < kGridMoveCount; ++direction) gradient[outputAt(actor, direction)] = 0.0f;
     gradient[outputAt(actor, transition.direction)] =
-        static_cast<float>(huberDerivative(error, parameters_.huber) / parameters_.value_scale);
-    sums_.values.count(transition.estimate, error);
+        static_cast<float>(std::clamp(error, -parameters_.huber, parameters_.huber) / kValueScale);
+    sums_.steps += 1.0;
+    sums_.value += transition.estimate;
+    sums_.squared_error += error * error;
     sums_.reward += transition.reward;
   }
 }

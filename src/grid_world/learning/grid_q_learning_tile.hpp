@@ -6,14 +6,18 @@
 #include "grid_world/learning/grid_actor.hpp"
 #include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
 #include "lstm_planner/training/lane_network.hpp"
-#include "lstm_planner/training/q_learning_targets.hpp"
 
 namespace lstm_planner {
 
-/// What goes into the report.
+/// An output of the network times this is a value, cells.
+constexpr double kValueScale = 20.0;
+
+/// What is added up over the steps of a window.
 struct QSums {
-  ValueSums values;
-  double reward = 0;
+  double steps = 0.0;
+  double value = 0.0;          ///< of the moves that were made
+  double squared_error = 0.0;  ///< of these values
+  double reward = 0.0;
   GridEpisodeSums episodes;
 };
 std::vector<double*> numbersOf(QSums* sums);

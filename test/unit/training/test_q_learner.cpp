@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/q_learner.hpp"
@@ -10,12 +11,10 @@
 namespace lstm_planner::test_q_learner {
 namespace {
 
-QLearner learner(int units = 4, double exploration_share = 0.5) {
+QLearner learner(int units = 4) {
   const LayerStack layers = initialised(makeDenseStack(3, {units}, 2), 1);
   QLearningParameters parameters;
   parameters.target_interval = 2;
-  parameters.exploration_end = 0.2;
-  parameters.exploration_share = exploration_share;
   parameters.learning_rate = 0.01;
   parameters.max_gradient_norm = 0.0;  // none
   return {parameters, 10, layers};
@@ -43,11 +42,12 @@ TEST(QLearner, TheTargetNetworkFollowsAtItsInterval) {
 TEST(QLearner, ExplorationSinksLinearlyAndStaysThere) {
   QLearner it = learner();
   EXPECT_DOUBLE_EQ(it.epsilon(), 1.0);
+  learn(&it);
+  EXPECT_DOUBLE_EQ(it.epsilon(), 1.0 - 0.95 / 3.0);
   for (int update = 0; update < 2; ++update) learn(&it);
-  EXPECT_DOUBLE_EQ(it.epsilon(), 0.68);
+  EXPECT_DOUBLE_EQ(it.epsilon(), 0.05);
   for (int update = 0; update < 5; ++update) learn(&it);
-  EXPECT_DOUBLE_EQ(it.epsilon(), 0.2);
-  EXPECT_DOUBLE_EQ(learner(4, 0.0).epsilon(), 0.2);
+  EXPECT_DOUBLE_EQ(it.epsilon(), 0.05);
 }
 
 TEST(QLearner, GoesOnFromItsCheckpointAsIfThereHadBeenNoBreak) {
@@ -67,6 +67,50 @@ TEST(QLearner, RefusesANetworkOfAnotherSize) {
   QLearner it = learner();
   EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] { it.restore(learner(5).checkpoint()); }),
             "this is not a checkpoint of this training: a network of another size");
+}
+
+QTransition greedyStep(double reward, double value) {
+  QTransition step;
+  step.reward = reward;
+  step.value = value;
+  step.greedy = true;
+  return step;
+}
+
+/// Two steps, and the state after them.
+std::vector<QTransition> twoSteps() { return {greedyStep(1.0, 7.0), greedyStep(-0.5, 4.0), greedyStep(99.0, 6.0)}; }
+
+TEST(QTargets, AreRewardAndDiscountedValueOfTheNextState) {
+  const std::vector<double> targets = lambdaTargets(twoSteps(), 0.5, 0.0);
+  ASSERT_EQ(targets.size(), 2u);
+  EXPECT_DOUBLE_EQ(targets[1], -0.5 + 0.5 * 6.0);
+  EXPECT_DOUBLE_EQ(targets[0], 1.0 + 0.5 * 4.0);
+}
+
+TEST(QTargets, LookFurtherByTheTraceDecay) {
+  EXPECT_DOUBLE_EQ(lambdaTargets(twoSteps(), 0.5, 1.0)[0], 1.0 + 0.5 * (-0.5 + 0.5 * 6.0));
+  EXPECT_DOUBLE_EQ(lambdaTargets(twoSteps(), 0.5, 0.5)[0], 1.0 + 0.5 * (0.5 * 4.0 + 0.5 * 2.5));
+}
+
+TEST(QTargets, DoNotLookPastAMoveThatWasNotTheBest) {
+  std::vector<QTransition> steps = twoSteps();
+  steps[1].greedy = false;
+  EXPECT_DOUBLE_EQ(lambdaTargets(steps, 0.5, 1.0)[0], 1.0 + 0.5 * 4.0);
+}
+
+TEST(QTargets, ExpectNothingAfterArriving) {
+  std::vector<QTransition> steps = twoSteps();
+  steps[0].arrived = true;
+  EXPECT_DOUBLE_EQ(lambdaTargets(steps, 0.5, 1.0)[0], 1.0);
+}
+
+TEST(QTargets, LearnNothingFromTheStepAtWhichAnEpisodeIsCutOff) {
+  std::vector<QTransition> steps = twoSteps();
+  steps[1].timed_out = true;
+  steps[1].estimate = 3.0;
+  const std::vector<double> targets = lambdaTargets(steps, 0.5, 1.0);
+  EXPECT_DOUBLE_EQ(targets[1], 3.0);
+  EXPECT_DOUBLE_EQ(targets[0], 1.0 + 0.5 * 4.0);
 }
 
 }  // namespace

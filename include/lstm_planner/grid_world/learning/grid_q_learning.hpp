@@ -5,6 +5,7 @@
 
 #include "lstm_planner/grid_world/learning/grid_course.hpp"
 #include "lstm_planner/training/q_learner.hpp"
+#include "lstm_planner/training/reinforcement_report.hpp"
 #include "lstm_planner/training/training_loop.hpp"
 
 namespace lstm_planner {
@@ -20,17 +21,6 @@ namespace lstm_planner {
 /// A step is rewarded for how much shorter the true shortest path to the goal has become, less a cost. Lengths are in
 /// cells, and an update is made after `window` steps of each agent.
 struct GridQLearningParameters : QLearningParameters {
-  GridQLearningParameters() {
-    max_steps = 1000;
-    discount = 0.97;
-    target_interval = 50;
-    exploration_share = 0.3;
-    step_cost = 0.2;
-    arrival_bonus = 10.0;
-    value_scale = 20.0;
-    huber = 5.0;
-  }
-
   GridCourseParameters course;
   int updates = 20000;  ///< of the weights, over all epochs
   int epochs = 10;      ///< 1 to `updates`; each with goals and episodes of its own, checkpoints lie between them

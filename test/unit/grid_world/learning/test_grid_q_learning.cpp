@@ -83,10 +83,10 @@ TEST(QTile, GradientIsTheDerivativeOfTheSquaredErrors) {
   const auto errorAt = [&](Eigen::Index index, float change) {
     Eigen::VectorXf moved = weights;
     moved[index] += change;
-    return tileOn(parameters, course).run(moved, target_weights, kRandomMoves).values.squared_error;
+    return tileOn(parameters, course).run(moved, target_weights, kRandomMoves).squared_error;
   };
   // An error of half a squared value is the squared error of the output times the scale's square.
-  const double unit = 2.0 * parameters.value_scale * parameters.value_scale;
+  const double unit = 2.0 * kValueScale * kValueScale;
   const float change = 1e-3f;
   for (Eigen::Index index = 0; index < weights.size(); index += 7) {
     const double numeric = (errorAt(index, change) - errorAt(index, -change)) / (2.0 * static_cast<double>(change));
@@ -95,15 +95,31 @@ TEST(QTile, GradientIsTheDerivativeOfTheSquaredErrors) {
   }
 }
 
+TEST(QTile, OfErrorsBeyondTheLimitOnlyTheSignCounts) {
+  const GridCourse course = courseOn(PassableGrid(12, 12, true), 12.0);
+  const Eigen::VectorXf weights = parameterVector(smallNetwork());
+  const auto gradientWith = [&](double huber) {
+    GridQLearningParameters parameters = smallParameters();
+    parameters.window = 5;
+    parameters.huber = huber;
+    QTile tile = tileOn(parameters, course);
+    tile.run(weights, weights, kRandomMoves);
+    return Eigen::VectorXf(tile.gradient());
+  };
+  const Eigen::VectorXf gradient = gradientWith(1e-6);
+  EXPECT_GT(gradient.norm(), 0.0f);
+  EXPECT_TRUE(gradientWith(2e-6).isApprox(2.0f * gradient, 1e-4f));
+}
+
 TEST(QTile, GoesOnInTheNextWindowAsIfItWereOne) {
   const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestPath);
   GridQLearningParameters parameters = smallParameters();
   const Eigen::VectorXf weights = parameterVector(smallNetwork());
-  const double in_one = tileOn(parameters, course).run(weights, weights, kBestMoves).values.value;
+  const double in_one = tileOn(parameters, course).run(weights, weights, kBestMoves).value;
   parameters.window = 8;
   QTile halves = tileOn(parameters, course);
-  const double first = halves.run(weights, weights, kBestMoves).values.value;
-  const double second = halves.run(weights, weights, kBestMoves).values.value;
+  const double first = halves.run(weights, weights, kBestMoves).value;
+  const double second = halves.run(weights, weights, kBestMoves).value;
   // Only the order of summing differs.
   EXPECT_NEAR(first + second, in_one, 1e-9 * std::abs(in_one));
 }
@@ -175,9 +191,9 @@ TEST(GridQLearning, GoesOnFromACheckpointAsIfItHadNotStopped) {
 }
 
 /// Reward of the steps to within one cell of a goal that lies `distance` cells away in a corridor.
-double corridorValue(const GridQLearningParameters& parameters, int distance) {
-  double value = parameters.arrival_bonus + 1.0 - parameters.step_cost;
-  for (int left = distance - 2; left > 0; --left) value = 1.0 - parameters.step_cost + parameters.discount * value;
+double corridorValue(double discount, int distance) {
+  double value = kArrivalBonus + 1.0 - kStepCost;
+  for (int left = distance - 2; left > 0; --left) value = 1.0 - kStepCost + discount * value;
   return value;
 }
 
@@ -195,9 +211,9 @@ TEST(GridQLearning, FindsTheValuesOfACorridor) {
   Eigen::VectorXf input(kGridInputs);
   for (int cell = 0; cell <= 9; ++cell) {
     encodeGrid({{cell, 0}, {11, 0}, senseRanges(corridor, {cell, 0})}, kNoPath, input.data(), 1);
-    const double value = parameters.value_scale * static_cast<double>(network.forward(input)[0]);
+    const double value = kValueScale * static_cast<double>(network.forward(input)[0]);
     // Nearer than what one step earns.
-    EXPECT_NEAR(value, corridorValue(parameters, 11 - cell), 1.0 - parameters.step_cost) << cell;
+    EXPECT_NEAR(value, corridorValue(parameters.discount, 11 - cell), 1.0 - kStepCost) << cell;
   }
 }
 
