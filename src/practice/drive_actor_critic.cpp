@@ -22,6 +22,9 @@
 namespace lstm_planner {
 namespace {
 
+const std::vector<int> kCriticUnits = {48, 32};  ///< of each layer
+constexpr int kPasses = 4;                       ///< over what was collected
+
 PracticeEpisode toPractice(const std::vector<RecordedChoice>& choices, const Encoder& encoder, std::size_t actions) {
   PracticeEpisode episode;
   episode.is_example = true;
@@ -75,9 +78,9 @@ class PractisingActorCritic final : public DriveActorCritic {
   PractisingActorCritic(const DriveActorCriticParameters& parameters, LayerStack layers)
       : parameters_((validate(parameters), parameters)),
         policy_(sharpened(std::move(layers), parameters.sharpness)),
-        critic_(initialised(makeDenseStack(Encoder(parameters.policy.encoder).size() + kDrivePrivilegedInputs,
-                                           parameters.critic_units, 1),
-                            parameters.seed + 1)),
+        critic_(initialised(
+            makeDenseStack(Encoder(parameters.policy.encoder).size() + kDrivePrivilegedInputs, kCriticUnits, 1),
+            parameters.seed + 1)),
         learner_(parameters, parameters.iterations, policy_, critic_, parameters.course.worlds.size()) {
     DrivePolicy(parameters.policy, policy_);  // throws when they do not fit together
   }
@@ -108,7 +111,7 @@ class PractisingActorCritic final : public DriveActorCritic {
     weights.advantage_variances = learner_.advantageVariances();
     // The critic is new at first: let it learn before the policy follows it.
     const bool critic_alone = learner_.updates() == 0;
-    for (int pass = 0; pass < parameters_.passes; ++pass) {
+    for (int pass = 0; pass < kPasses; ++pass) {
       batch.rewind();
       while (batch.next()) {
         Eigen::VectorXf gradient;
@@ -165,7 +168,6 @@ class PractisingActorCritic final : public DriveActorCritic {
 void validate(const DriveActorCriticParameters& parameters) {
   validate(static_cast<const ActorCriticParameters&>(parameters));
   visitPracticeParameters(parameters, RangeCheck());
-  visitPolicyChangeParameters(parameters, RangeCheck());
   checkAtLeastOne("judgements", parameters.judgements);
   checkParameter(parameters.discount < 1.0, "discount", parameters.discount, "a number in (0, 1)");
   validate(parameters.policy.encoder);

@@ -23,6 +23,11 @@ namespace {
 /// m of path counted at the most, also where no path is known.
 constexpr double kLongestPath = 100.0;
 
+// Of the reward, m.
+constexpr double kStepCost = 0.05;
+constexpr double kArrivalBonus = 3.0;
+constexpr double kContactCost = 0.5;
+
 /// Records a drive and chooses its actions; the agent's step listener.
 class Practice {
  public:
@@ -50,7 +55,7 @@ class Practice {
     finishStep(arrived ? 0.0 : pathLeft());
     episode_.arrived = arrived;
     if (arrived && !episode_.steps.empty()) {
-      episode_.steps.back().reward += static_cast<float>(parameters_.arrival_bonus);
+      episode_.steps.back().reward += static_cast<float>(kArrivalBonus);
     }
     return std::move(episode_);
   }
@@ -69,8 +74,7 @@ class Practice {
     if (!episode_.steps.empty()) {
       PracticeEpisode::Step& last = episode_.steps.back();
       const int contacts = drive_.contacts() - contacts_before_;
-      last.reward =
-          static_cast<float>(left_before_ - left - parameters_.step_cost - parameters_.contact_cost * contacts);
+      last.reward = static_cast<float>(left_before_ - left - kStepCost - kContactCost * contacts);
       const Decision& decision = agent_.decision();
       last.chosen = last.chosen && decision.choice == Leader::kNetwork && decision.action == last.action;
     }

@@ -12,6 +12,9 @@ namespace {
 /// The critic's output times this is a return, m.
 constexpr double kValueScale = 5.0;
 
+constexpr double kAdvantageDecay = 0.95;  ///< lambda
+constexpr double kClip = 0.2;             ///< how far from 1 a probability's change still counts
+
 }  // namespace
 
 DriveTile::DriveTile(const DriveActorCriticParameters& parameters, const LayerStack& policy, const LayerStack& critic)
@@ -52,7 +55,7 @@ CriticSums DriveTile::judge(const Eigen::VectorXf& critic_parameters) {
 
 /// Advantages from the last step back.
 void DriveTile::judgeQueue(int queue, CriticSums* sums) {
-  Advantages advantages(parameters_.discount, parameters_.advantage_decay);
+  Advantages advantages(parameters_.discount, kAdvantageDecay);
   for (int time = queues_.steps(); time-- > 0;) {
     DriveSlot& slot = queues_.at(time, queue);
     if (!slot.episode || slot.episode->is_example) continue;
@@ -128,7 +131,7 @@ void DriveTile::fillPolicyGradient(const DriveSlot& slot, int time, int queue, c
   const double ratio = now[static_cast<std::size_t>(action)] / static_cast<double>(before[action]);
   const double advantage =
       static_cast<double>(slot.advantage) / std::sqrt(weights.advantage_variances[episode.kind] + 1e-6);
-  const bool clipped = advantage > 0.0 ? ratio > 1.0 + parameters_.clip : ratio < 1.0 - parameters_.clip;
+  const bool clipped = advantage > 0.0 ? ratio > 1.0 + kClip : ratio < 1.0 - kClip;
   const double gain = clipped ? 0.0 : advantage * ratio;
   for (int k = 0; k < actions_; ++k) {
     const double probability = now[static_cast<std::size_t>(k)];

@@ -37,7 +37,6 @@ void addOptions(const std::vector<std::string>& arguments, RobotReinforcementPla
       .changesNoResult();
   visitPracticeParameters(p, line->everyParameter());
   addRobotNetworkOptions(&plan->network, &p.policy.encoder, line);
-  visitPolicyChangeParameters(p, line->everyParameter());
   line->addFiles("recordings", &plan->recordings,
                  "datasets of recorded drives: the network also learns to steer as their driver does");
   line->add("recordings-weight", &plan->recordings_weight, {1e-6, 1e6},

@@ -21,17 +21,14 @@ namespace lstm_planner {
 struct DriveActorCriticParameters : ActorCriticParameters {
   PolicyDescription policy;
   DriveCourseParameters course;
-  int iterations = 60;        ///< collect, then update
-  int judgements = 10;        ///< of the network, besides the first, about; no more than there are iterations
-  int worlds = 16;            ///< an iteration, new ones each time
-  int goals = 2;              ///< a world
-  int starts = 8;             ///< drives to a goal
-  int passes = 4;             ///< over what was collected
-  double contact_cost = 0.5;  ///< m; of the reward by progress
-  double path_share = 0.0;    ///< of the drives: examples of going along the remembered path, under the bound
-  double path_weight = 1.0;   ///< of a step of these, beside 1 of a practised one
-  double sharpness = 3.0;     ///< times the first policy's preferences, which imitation leaves too close for drawing
-  double clip = 0.2;          ///< how far from 1 a probability's change still counts
+  int iterations = 60;       ///< collect, then update
+  int judgements = 10;       ///< of the network, besides the first, about; no more than there are iterations
+  int worlds = 16;           ///< an iteration, new ones each time
+  int goals = 2;             ///< a world
+  int starts = 8;            ///< drives to a goal
+  double path_share = 0.0;   ///< of the drives: examples of going along the remembered path, under the bound
+  double path_weight = 1.0;  ///< of a step of these, beside 1 of a practised one
+  double sharpness = 3.0;    ///< times the first policy's preferences, which imitation leaves too close for drawing
 };
 
 /// Visits what says how it practises, named as the options; see parameter_visitors.hpp.
@@ -42,18 +39,10 @@ void visitPracticeParameters(Parameters& p, const Visitor& visit) {
   visit("goals", p.goals, {1, 1e4}, "", "goals per world");
   visit("starts", p.starts, {1, 1e4}, "", "drives per goal");
   visit("window", p.window, {1, 1e5}, "", "largest number of steps of backpropagation through time");
-  visit("passes", p.passes, {1, 1e4}, "", "passes over the collected drives");
   visit("path-share", p.path_share, {0.0, 1.0}, "",
         "share of the drives in which obstacles are remembered, and the network learns to choose the remembered path");
   visit("path-weight", p.path_weight, {0.0, 1e6}, "", "weight of a step of these drives; a practised step has 1");
-  visit("contact-cost", p.contact_cost, {0.0, 1e6}, "m", "cost of a contact, where the reward is the progress");
-}
-
-/// Visits what says how it changes the policy, named as the options; see parameter_visitors.hpp.
-template <typename Parameters, typename Visitor>
-void visitPolicyChangeParameters(Parameters& p, const Visitor& visit) {
   visit("sharpness", p.sharpness, {1e-9, 1e9}, "", "factor on the preferences of the network of --init");
-  visit("clip", p.clip, {1e-9, 1e9}, "", "largest change of a probability in an update (PPO's clip)");
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

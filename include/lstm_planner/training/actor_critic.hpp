@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "lstm_planner/common/communicator.hpp"
@@ -15,15 +14,11 @@ namespace lstm_planner {
 
 /// What every actor-critic training needs, whatever the course is. Both learning rates fall to 0 along half a cosine.
 struct ActorCriticParameters {
-  std::vector<int> critic_units = {48, 32};
-  int window = 32;         ///< steps; errors go back at most that far
-  int max_steps = 300;     ///< of an episode
-  double discount = 0.99;  ///< a step
-  double advantage_decay = 0.95;
+  int window = 32;               ///< steps; errors go back at most that far
+  int max_steps = 300;           ///< of an episode
+  double discount = 0.99;        ///< a step
   double entropy_start = 0.003;  ///< weight of the entropy, changing linearly
   double entropy_end = 0.0003;
-  double step_cost = 0.05;  ///< in the course's unit of length, as the bonus
-  double arrival_bonus = 3.0;
   double learning_rate = 0.002;
   double critic_learning_rate = 0.005;
   double max_gradient_norm = 0.5;
@@ -35,13 +30,9 @@ struct ActorCriticParameters {
 /// Visits the parameters that have an option, named as it; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
 void visitActorCriticParameters(Parameters& p, const Visitor& visit) {
-  visit("critic", p.critic_units, {1, 4096}, "", "units of each layer of the critic");
   visit("discount", p.discount, {0.0, 1.0}, "", "discount factor per step (gamma)");
-  visit("advantage-decay", p.advantage_decay, {0.0, 1.0}, "", "decay of the advantage estimate (lambda)");
   visit("entropy-start", p.entropy_start, {0.0, 1000.0}, "", "weight of the entropy at the start");
   visit("entropy-end", p.entropy_end, {0.0, 1000.0}, "", "weight of the entropy at the end");
-  visit("step-cost", p.step_cost, {-1e6, 1e6}, "m", "cost of a step");
-  visit("arrival-bonus", p.arrival_bonus, {-1e6, 1e6}, "m", "reward of an arrival");
   visit("rate", p.learning_rate, {1e-9, 100.0}, "", "learning rate");
   visit("critic-rate", p.critic_learning_rate, {1e-9, 100.0}, "", "learning rate of the critic");
 }
