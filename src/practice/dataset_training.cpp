@@ -61,8 +61,7 @@ DatasetTrainingParameters thesisDatasetTraining() {
   optimiser.learning_rate = 0.1;
   optimiser.schedule = LearningRateSchedule::kConstant;
   optimiser.momentum = 0.95;
-  optimiser.decay = Decay::kL1;
-  optimiser.decay_rate = 1e-5;
+  optimiser.l1_decay = 1e-5;
   optimiser.max_gradient_norm = 1.0;
   return parameters;
 }

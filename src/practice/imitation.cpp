@@ -22,6 +22,8 @@ namespace lstm_planner {
 
 namespace {
 
+constexpr double kLearnerShare = 0.8;  ///< of the drives, from the second round on
+
 /// m; a learner that comes less near to the goal than that makes no progress.
 constexpr double kNearer = 0.1;
 constexpr int kStuckSteps = 24;   ///< without progress, after which the teacher takes the wheel
@@ -108,7 +110,7 @@ class DriveImitationCourse : public ImitationCourse {
   std::vector<Sequence> collectTraining(int round, const LayerStack* learner) override {
     const auto driver = [&](Random& random) {
       if (learner == nullptr) return Driver::kTeacher;
-      return uniform(random) < parameters_.learner_share ? Driver::kRescuedLearner : Driver::kTeacher;
+      return uniform(random) < kLearnerShare ? Driver::kRescuedLearner : Driver::kTeacher;
     };
     const std::vector<LabelledEpisode> episodes = drive(learner != nullptr ? *learner : layers_, round, false, driver);
     for (const LabelledEpisode& episode : episodes) steps_ += episode.steps.size();

@@ -27,7 +27,6 @@ constexpr Range kAnyThreads{1, 1024};
 constexpr Range kAnyLayer{1, 4096};  ///< cells or units
 constexpr Range kAnyWindow{1, 1e5};  ///< steps that errors go back
 constexpr Range kAnyRate{1e-9, 100.0};
-constexpr Range kAnyWeight{0.0, 1000.0};
 
 /// An option as a command declares it; made by CommandLine.
 struct Option {

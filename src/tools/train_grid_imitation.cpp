@@ -19,20 +19,13 @@ namespace {
 
 const Choices<OptimiserKind> kOptimisers = {
     {"adam", OptimiserKind::kAdam}, {"momentum", OptimiserKind::kMomentum}, {"adadelta", OptimiserKind::kAdaDelta}};
-const Choices<Decay> kDecays = {
-    {"none", Decay::kNone}, {"l1", Decay::kL1}, {"l2", Decay::kL2Norm}, {"l2-squared", Decay::kL2Squared}};
 const Choices<GridSupervisor> kSupervisors = {{"shortest", GridSupervisor::kShortestPath},
                                               {"thesis", GridSupervisor::kThesisAStar}};
-const Choices<LearningRateSchedule> kSchedules = {{"constant", LearningRateSchedule::kConstant},
-                                                  {"cosine", LearningRateSchedule::kCosine}};
 
 void addOptimiserOptions(OptimiserParameters* optimiser, CommandLine* line) {
   line->addChoice("optimiser", &optimiser->kind, kOptimisers, "adam, momentum or adadelta");
   line->add("rate", &optimiser->learning_rate, kAnyRate, "learning rate");
-  line->addChoice("schedule", &optimiser->schedule, kSchedules, "schedule of the rate: constant or cosine");
   line->add("momentum", &optimiser->momentum, kAnyShare, "momentum; of adadelta the decay of its means");
-  line->addChoice("decay", &optimiser->decay, kDecays, "decay of the weights: none, l1, l2 or l2-squared");
-  line->add("decay-rate", &optimiser->decay_rate, kAnyWeight, "beta");
 }
 
 /// Defaults of the method, or of the thesis.
@@ -71,7 +64,7 @@ bool readImitationOptions(const std::string& method, const std::vector<std::stri
                  "paths to learn: shortest, or thesis (A* with 25 times the Euclidean distance)");
   addLossOption(&p.trainer.loss, &line);
   addOptimiserOptions(&optimiser, &line);
-  if (dagger) visitGridRoundParameters(p, line.everyParameter());
+  if (dagger) line.add("rounds", &p.rounds, kAnyCount, "rounds of collecting paths and training for --epochs");
   if (!line.parse(arguments)) return false;
   if (thesis && !line.given("batch-steps")) p.batch_steps = dataset.sequence_steps;
   p.trainer.epochs = options->epochs;

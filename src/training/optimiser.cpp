@@ -22,28 +22,8 @@ void validate(const OptimiserParameters& parameters) {
   checkPositive("learning_rate", parameters.learning_rate);
   checkParameter(parameters.momentum >= 0.0 && parameters.momentum < 1.0, "momentum", parameters.momentum,
                  "a number in [0, 1)");
-  checkNotNegative("decay_rate", parameters.decay_rate);
+  checkNotNegative("l1_decay", parameters.l1_decay);
   checkNotNegative("max_gradient_norm", parameters.max_gradient_norm);
-}
-
-Eigen::VectorXf decayGradient(Decay decay, double decay_rate, const Eigen::VectorXf& parameters,
-                              const Eigen::VectorXf& mask) {
-  const float rate = static_cast<float>(decay_rate);
-  const Eigen::VectorXf weights = parameters.cwiseProduct(mask);
-  switch (decay) {
-    case Decay::kL1:
-      return rate * weights.cwiseSign();
-    case Decay::kL2Norm: {
-      const float norm = weights.norm();
-      // The norm has no derivative where all weights are zero; the subgradient 0 keeps them there.
-      return norm > 0.0f ? Eigen::VectorXf(weights * (rate / norm)) : Eigen::VectorXf::Zero(weights.size());
-    }
-    case Decay::kL2Squared:
-      return rate * weights;
-    case Decay::kNone:
-      break;
-  }
-  return Eigen::VectorXf::Zero(weights.size());
 }
 
 double clipToNorm(double max_norm, Eigen::VectorXf& gradient) {
@@ -66,7 +46,7 @@ double Optimiser::rate(double progress) const {
 
 void Optimiser::update(Eigen::VectorXf gradient, double progress, Eigen::VectorXf& parameters) {
   clipToNorm(parameters_.max_gradient_norm, gradient);
-  gradient += decayGradient(parameters_.decay, parameters_.decay_rate, parameters, mask_);
+  gradient += static_cast<float>(parameters_.l1_decay) * parameters.cwiseProduct(mask_).cwiseSign();
   ++state_.updates;
   switch (parameters_.kind) {
     case OptimiserKind::kMomentum:

@@ -21,12 +21,12 @@ struct ImitationParameters {
   PolicyDescription policy;
   DriveCourseParameters course;
   NetworkShape shape;
-  int rounds = 10;             ///< collect, then train on everything collected so far
+  int rounds = 10;             ///< collect, then train on everything collected so far; from the second round on the
+                               ///< learner steers most of the drives
   int worlds = 120;            ///< generated worlds a round
   int goals = 2;               ///< a world
   int starts = 2;              ///< drives to a goal
   int validation_worlds = 60;  ///< worlds that are never trained on
-  double learner_share = 0.8;  ///< share of drives with the learner at the wheel, from the second round on
   int max_steps = 300;         ///< of a drive
   std::uint64_t seed = 1;
   int threads = 2;
@@ -42,7 +42,6 @@ void visitImitationParameters(Parameters& p, const Visitor& visit) {
   visit("starts", p.starts, {1, 1e4}, "", "drives per goal");
   visit("epochs", p.trainer.epochs, {1, 1e6}, "", "epochs per round");
   visit("rate", p.trainer.optimiser.learning_rate, {1e-9, 100.0}, "", "learning rate");
-  visit("learner-share", p.learner_share, {0.0, 1.0}, "", "share of the drives in which the learning network steers");
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

@@ -4,15 +4,6 @@
 
 namespace lstm_planner {
 
-/// Term beta * L(w) that is added to the error so that weights do not grow needlessly (thesis Eq. 3.7). Biases are left
-/// alone, so that decay does not close the forget gates.
-enum class Decay {
-  kNone,
-  kL1,         ///< L = sum |w| (Eq. 3.8); gradient beta * sign(w)
-  kL2Norm,     ///< L = sqrt(sum w^2) (Eq. 3.9); gradient beta * w / L
-  kL2Squared,  ///< L = 1/2 sum w^2 (Eq. 3.10); gradient beta * w, what Caffe calls L2
-};
-
 /// By which rule the weights follow the gradient.
 enum class OptimiserKind {
   kMomentum,  ///< gradient descent with momentum (thesis Eq. 3.13-3.14)
@@ -34,18 +25,15 @@ struct OptimiserParameters {
   double learning_rate = 0.005;  ///< alpha, > 0
   LearningRateSchedule schedule = LearningRateSchedule::kCosine;
   double momentum = 0.95;  ///< in [0, 1); kMomentum: mu; kAdaDelta: rho, decay of its two means
-  Decay decay = Decay::kNone;
-  double decay_rate = 1e-5;      ///< beta, >= 0
+
+  /// beta, >= 0: beta * sum |w| is added to the error, so that weights do not grow needlessly (L1, thesis Eq. 3.7 and
+  /// 3.8). Biases are left alone, so that decay does not close the forget gates.
+  double l1_decay = 0.0;
   double max_gradient_norm = 1;  ///< gradients of the error (without decay) longer than this are shortened; 0: never
 };
 
 /// Throws std::invalid_argument with one sentence naming the parameter, its value and its range.
 void validate(const OptimiserParameters& parameters);
-
-/// Gradient of decay_rate * L(w), `mask` being 1 for weights and 0 for biases. Thesis Eq. 3.11 and 3.12 print a minus
-/// before this term, no sign(w), and a root too many; what follows from Eq. 3.7 is used here.
-Eigen::VectorXf decayGradient(Decay decay, double decay_rate, const Eigen::VectorXf& parameters,
-                              const Eigen::VectorXf& mask);
 
 /// Shortens the gradient to `max_norm` when it is longer (0: never). Returns its length before.
 double clipToNorm(double max_norm, Eigen::VectorXf& gradient);
@@ -53,14 +41,14 @@ double clipToNorm(double max_norm, Eigen::VectorXf& gradient);
 /// Turns gradients into updates of one parameter vector; its velocities or moments start at zero.
 class Optimiser {
  public:
-  /// `mask` as of weightMask(). Throws std::invalid_argument (validate).
+  /// `mask`: 1 for weights and 0 for biases, weightMask(). Throws std::invalid_argument (validate).
   Optimiser(const OptimiserParameters& parameters, Eigen::VectorXf mask);
 
   /// The learning rate when that share of the training is done.
   double rate(double progress) const;
 
   /// One update, when that share of the training is done. `gradient` is that of the mean error, without decay. Clips,
-  /// adds the decay, moves `parameters`.
+  /// adds the decay, beta * sign(w) (thesis Eq. 3.11 prints a minus and no sign), moves `parameters`.
   /// Momentum: v' = mu v - alpha gradient, w' = w + v' (thesis Eq. 3.14 prints w' for w).
   void update(Eigen::VectorXf gradient, double progress, Eigen::VectorXf& parameters);
 

@@ -10,6 +10,8 @@
 namespace lstm_planner {
 namespace {
 
+constexpr double kLearnerShare = 0.8;  ///< of the paths, from the second round on
+
 class GridImitationCourse : public ImitationCourse {
  public:
   GridImitationCourse(const GridImitationParameters& parameters, std::vector<GridCourse::Set> training,
@@ -21,7 +23,7 @@ class GridImitationCourse : public ImitationCourse {
   std::vector<Sequence> collectTraining(int round, const LayerStack* learner) override {
     const std::uint64_t seed = seedOf(round, false);
     const GridCourse course(parameters_.course, training_maps_, seed, parameters_.threads);
-    return collect(parameters_.dataset, course, learner, parameters_.learner_share, seed);
+    return collect(parameters_.dataset, course, learner, kLearnerShare, seed);
   }
 
   std::vector<Sequence> collectValidation(int round, const LayerStack* learner) override {
@@ -60,8 +62,7 @@ GridImitationParameters thesisImitation() {
   trainer.optimiser.learning_rate = 0.1;
   trainer.optimiser.schedule = LearningRateSchedule::kConstant;
   trainer.optimiser.momentum = 0.95;
-  trainer.optimiser.decay = Decay::kL1;
-  trainer.optimiser.decay_rate = 1e-5;
+  trainer.optimiser.l1_decay = 1e-5;
   return parameters;
 }
 
@@ -70,7 +71,7 @@ void validate(const GridImitationParameters& parameters) {
   validate(parameters.dataset);
   validate(parameters.trainer);
   visitGridImitationParameters(parameters, RangeCheck());
-  visitGridRoundParameters(parameters, RangeCheck());
+  checkAtLeastOne("rounds", parameters.rounds);
   checkParameter(parameters.threads > 0, "threads", parameters.threads, "a positive number");
 }
 

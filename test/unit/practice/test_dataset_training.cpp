@@ -30,8 +30,7 @@ TEST(DatasetTraining, ThesisPresetIsItsTable) {
   EXPECT_EQ(optimiser.learning_rate, 0.1);
   EXPECT_EQ(optimiser.schedule, LearningRateSchedule::kConstant);
   EXPECT_EQ(optimiser.momentum, 0.95);
-  EXPECT_EQ(optimiser.decay, Decay::kL1);
-  EXPECT_EQ(optimiser.decay_rate, 1e-5);
+  EXPECT_EQ(optimiser.l1_decay, 1e-5);
 }
 
 TEST(DatasetTraining, SetsCountWhatWasRecordedAndWeighWhatIsLearned) {

@@ -110,7 +110,6 @@ TEST(Imitation, RefusesParametersWithWhichNothingIsLearned) {
   EXPECT_TRUE(refused([](ImitationParameters* p) { p->rounds = 0; }));
   EXPECT_TRUE(refused([](ImitationParameters* p) { p->worlds = 0; }));
   EXPECT_TRUE(refused([](ImitationParameters* p) { p->validation_worlds = 0; }));
-  EXPECT_TRUE(refused([](ImitationParameters* p) { p->learner_share = 1.1; }));
   EXPECT_TRUE(refused([](ImitationParameters* p) { p->threads = 0; }));
   EXPECT_TRUE(refused([](ImitationParameters* p) { p->trainer.epochs = 0; }));
   EXPECT_TRUE(refused([](ImitationParameters* p) { p->policy.encoder.views = 8; }));

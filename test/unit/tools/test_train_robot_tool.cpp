@@ -99,9 +99,9 @@ TEST_F(TrainRobotTool, ImitationRefusesTheCheckpointOfAnother) {
       "train --rounds 1 --epochs 1 --cells 4 --kinds open --worlds 1 --validation 1 --output " + in("own.onnx") +
       " --checkpoint " + in("own.checkpoint");
   success(training);
-  const test::Outcome other = runTool(training + " --learner-share 0.5");
+  const test::Outcome other = runTool(training + " --rate 0.5");
   EXPECT_EQ(other.status, 2) << other.output;
-  EXPECT_NE(other.output.find("learner-share = 0.8 instead of 0.5"), std::string::npos) << other.output;
+  EXPECT_NE(other.output.find("rate = 0.01 instead of 0.5"), std::string::npos) << other.output;
   EXPECT_NE(success(training + " --method dagger --threads 1 --curve " + in("curve.png")).output.find("going on from"),
             std::string::npos);
 }

@@ -70,44 +70,12 @@ TEST(Optimiser, AdaDeltaFollowsTheHandCalculation) {
 }
 
 TEST(Optimiser, DecayPullsWeightsTowardsZeroAndLeavesBiasesAlone) {
-  const Eigen::VectorXf weights = vector({3, -4, 0, 7});
-  const Eigen::VectorXf mask = vector({1, 1, 1, 0});
-  EXPECT_EQ(decayGradient(Decay::kNone, 0.5, weights, mask), vector({0, 0, 0, 0}));
-  EXPECT_EQ(decayGradient(Decay::kL1, 0.5, weights, mask), vector({0.5f, -0.5f, 0, 0}));
-  EXPECT_EQ(decayGradient(Decay::kL2Squared, 0.5, weights, mask), vector({1.5f, -2, 0, 0}));
-  EXPECT_TRUE(decayGradient(Decay::kL2Norm, 0.5, weights, mask).isApprox(vector({0.3f, -0.4f, 0, 0}), 1e-6f));
-}
-
-TEST(Optimiser, DecayIsTheDerivativeOfItsPenalty) {
-  const Eigen::VectorXd weights = vector({0.3f, -0.7f, 1.2f}).cast<double>();
-  const auto penalty = [](Decay decay, const Eigen::VectorXd& w) {
-    if (decay == Decay::kL1) return w.lpNorm<1>();  // Eq. 3.8
-    if (decay == Decay::kL2Norm) return w.norm();   // Eq. 3.9
-    return 0.5 * w.squaredNorm();                   // Eq. 3.10
-  };
-  for (const Decay decay : {Decay::kL1, Decay::kL2Norm, Decay::kL2Squared}) {
-    const Eigen::VectorXf gradient = decayGradient(decay, 1.0, weights.cast<float>(), vector({1, 1, 1}));
-    for (Eigen::Index index = 0; index < weights.size(); ++index) {
-      Eigen::VectorXd above = weights, below = weights;
-      above[index] += 1e-5;
-      below[index] -= 1e-5;
-      EXPECT_NEAR(gradient[index], (penalty(decay, above) - penalty(decay, below)) / 2e-5, 1e-6);
-    }
-  }
-}
-
-TEST(Optimiser, NormDecayOfZeroWeightsIsZero) {
-  EXPECT_EQ(decayGradient(Decay::kL2Norm, 1.0, vector({0, 0}), vector({1, 1})), vector({0, 0}));
-}
-
-TEST(Optimiser, UpdateAddsTheDecay) {
   OptimiserParameters parameters = momentumParameters(0.5);
-  parameters.decay = Decay::kL1;
-  parameters.decay_rate = 0.5;
-  Optimiser optimiser(parameters, vector({1, 1, 0}));
-  Eigen::VectorXf weights = vector({1, -1, 1});
-  optimiser.update(vector({0, 0, 0}), kStart, weights);
-  EXPECT_EQ(weights, vector({0.75f, -0.75f, 1}));
+  parameters.l1_decay = 0.5;
+  Optimiser optimiser(parameters, vector({1, 1, 1, 0}));
+  Eigen::VectorXf weights = vector({3, -4, 0, 7});
+  optimiser.update(vector({0, 0, 0, 0}), kStart, weights);
+  EXPECT_EQ(weights, vector({2.75f, -3.75f, 0, 7}));  // the derivative of 0.5 sum |w| (Eq. 3.8), times the rate
 }
 
 TEST(Optimiser, LongGradientsAreShortenedAndShortOnesKept) {
@@ -142,7 +110,7 @@ TEST(Optimiser, RefusesParametersOutOfRange) {
   refused([](OptimiserParameters& p) { p.learning_rate = 0.0; });
   refused([](OptimiserParameters& p) { p.learning_rate = std::numeric_limits<double>::quiet_NaN(); });
   refused([](OptimiserParameters& p) { p.momentum = 1.0; });
-  refused([](OptimiserParameters& p) { p.decay_rate = -1.0; });
+  refused([](OptimiserParameters& p) { p.l1_decay = -1.0; });
   refused([](OptimiserParameters& p) { p.max_gradient_norm = -1.0; });
 }
 

@@ -68,7 +68,7 @@ TEST(Trainer, MomentumLearnsToo) {
   parameters.epochs = 60;
   parameters.optimiser.kind = OptimiserKind::kMomentum;
   parameters.optimiser.learning_rate = 0.1;  // thesis table 3.2: 0.1, 0.95, L1 with 1e-5
-  parameters.optimiser.decay = Decay::kL1;
+  parameters.optimiser.l1_decay = 1e-5;
   const auto sequences = recallSequences(256, 2, 1);
   EXPECT_GT(evaluate(train(startingRecallLayers(), sequences, {}, parameters).layers, sequences).accuracy(), 0.99);
 }

@@ -22,10 +22,9 @@ struct GridImitationParameters {
   GridCourseParameters course;
   GridDatasetParameters dataset;  ///< of each round
   int validation_steps = 10240;   ///< thesis Table 3.1; after each round as many again, of paths that the network leads
-  int rounds = 1;
-  double learner_share = 0.8;  ///< of the paths, from the second round on
-  int batch_steps = 4096;      ///< steps an update; the thesis's are sequence_steps. Sets trainer.batch_size
-  TrainerParameters trainer;   ///< for each round
+  int rounds = 1;                 ///< from the second on the network leads most of the paths
+  int batch_steps = 4096;         ///< steps an update; the thesis's are sequence_steps. Sets trainer.batch_size
+  TrainerParameters trainer;      ///< for each round
   std::uint64_t seed = 1;
   int threads = 2;  ///< does not change the result
 };
@@ -43,13 +42,6 @@ void visitGridImitationParameters(Parameters& p, const Visitor& visit) {
         "if a sequence starts in the middle of a path: steps before it that only set the hidden state");
   visit("batch-steps", p.batch_steps, {1, 1e9}, "", "steps per update");
   visit("goals", p.course.goals, {1, 1e5}, "", "seed of the paths of a round");
-}
-
-/// Likewise, the parameters of the rounds.
-template <typename Parameters, typename Visitor>
-void visitGridRoundParameters(Parameters& p, const Visitor& visit) {
-  visit("rounds", p.rounds, {1, 1e6}, "", "rounds of collecting paths and training for --epochs");
-  visit("learner-share", p.learner_share, {0.0, 1.0}, "", "share of the paths that the network leads");
 }
 
 /// The training of the thesis: Tables 3.1 and 3.2, 500 epochs.

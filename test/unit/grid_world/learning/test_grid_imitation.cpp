@@ -113,8 +113,7 @@ TEST(GridImitation, ThesisTrainsAsInItsTables) {
   EXPECT_EQ(thesis.trainer.epochs, 500);
   EXPECT_EQ(thesis.trainer.optimiser.learning_rate, 0.1);
   EXPECT_EQ(thesis.trainer.optimiser.momentum, 0.95);
-  EXPECT_EQ(thesis.trainer.optimiser.decay, Decay::kL1);
-  EXPECT_EQ(thesis.trainer.optimiser.decay_rate, 1e-5);
+  EXPECT_EQ(thesis.trainer.optimiser.l1_decay, 1e-5);
 }
 
 TEST(GridImitation, RefusesParametersWithWhichNothingIsLearned) {
@@ -123,7 +122,6 @@ TEST(GridImitation, RefusesParametersWithWhichNothingIsLearned) {
   };
   EXPECT_FALSE(refused([](GridImitationParameters*) {}));
   EXPECT_TRUE(refused([](GridImitationParameters* p) { p->rounds = 0; }));
-  EXPECT_TRUE(refused([](GridImitationParameters* p) { p->learner_share = 1.5; }));
   EXPECT_TRUE(refused([](GridImitationParameters* p) { p->batch_steps = 0; }));
   EXPECT_TRUE(refused([](GridImitationParameters* p) { p->validation_steps = 0; }));
   EXPECT_TRUE(refused([](GridImitationParameters* p) { p->threads = 0; }));
