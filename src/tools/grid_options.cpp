@@ -67,9 +67,9 @@ void addGridOptions(GridOptions* options, CommandLine* line) {
   line->add("draw-after", &agent.network.draw_after, {0, 1e9},
             "with --no-escape: steps without progress after which a network's moves are drawn with the probabilities "
             "that it gives, so that it leaves circles; 0 = never");
-  line->addChoice("heuristic", &agent.heuristic.kind, kHeuristicNames,
-                  "heuristic of A*: manhattan, chebyshev, octile, euclidean or scaled_euclidean");
-  line->add("scale", &agent.heuristic.scale, {0.0, kLargestEuclideanScale}, "scale of scaled_euclidean");
+  line->addChoice(
+      "heuristic", &agent.heuristic, kHeuristicNames,
+      "heuristic of A*: manhattan, chebyshev, octile, euclidean or scaled_euclidean (25 times, thesis Eq. 1.5)");
   line->addFlag("keep-closed", &agent.keep_closed, true,
                 "A* expands no cell twice, even if an overestimating heuristic first found it by a detour");
   line->addFlag("four-moves", &agent.diagonal_moves, false, "A* makes no diagonal moves");

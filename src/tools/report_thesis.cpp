@@ -92,7 +92,7 @@ ReportAgent aStarAgent() {
   GridAgentOptions options;
   options.agent = "astar";
   options.corner_cutting = CornerCutting::kAllowed;
-  options.heuristic.kind = Heuristic::kScaledEuclidean;
+  options.heuristic = Heuristic::kScaledEuclidean;
   options.keep_closed = true;
   return {{"A*", gridAgentMaker(options)}, true};
 }

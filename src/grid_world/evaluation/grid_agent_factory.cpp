@@ -20,7 +20,6 @@ namespace {
 const char* const kNetworkNames[] = {"lstm", "rnn", "mlp", "qlearning", "network"};
 
 GridAgentMaker aStarMaker(const GridAgentOptions& options) {
-  checkHeuristic(options.heuristic);
   AStarParameters parameters{options.heuristic, options.corner_cutting};
   if (options.keep_closed) parameters.closed_cells = ClosedCells::kStayClosed;
   parameters.costs = options.costs;

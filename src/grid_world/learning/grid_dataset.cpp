@@ -46,7 +46,7 @@ class Supervisor {
   Supervisor(const CourseGoal& goal, CellIndex start, GridSupervisor kind) : goal_(goal) {
     if (kind == GridSupervisor::kShortestPath) return;
     AStarParameters parameters;
-    parameters.heuristic.kind = Heuristic::kScaledEuclidean;
+    parameters.heuristic = Heuristic::kScaledEuclidean;
     parameters.corner_cutting = goal.corner_cutting;
     parameters.closed_cells = ClosedCells::kStayClosed;
     search_.emplace(goal.map->grid, parameters);

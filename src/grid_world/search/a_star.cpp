@@ -27,9 +27,7 @@ struct AStar::Later {
 };
 
 AStar::AStar(const PassableGrid& grid, AStarParameters parameters)
-    : grid_(&grid), parameters_(parameters), nodes_(grid.size()) {
-  checkHeuristic(parameters.heuristic);
-}
+    : grid_(&grid), parameters_(parameters), nodes_(grid.size()) {}
 
 void AStar::checkEnd(const char* name, CellIndex cell) const {
   if (grid_->passable(cell)) return;

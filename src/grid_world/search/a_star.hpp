@@ -18,7 +18,7 @@ enum class ClosedCells {
 };
 
 struct AStarParameters {
-  HeuristicParameters heuristic;
+  Heuristic heuristic = Heuristic::kOctile;
   CornerCutting corner_cutting = CornerCutting::kForbidden;
   ClosedCells closed_cells = ClosedCells::kReopen;
   MoveCosts costs = {};

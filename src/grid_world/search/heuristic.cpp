@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <stdexcept>
-#include <string>
 
 #include "lstm_planner/grid/grid_rays.hpp"
 
 namespace lstm_planner {
 namespace {
+
+constexpr double kThesisScale = 25.0;
 
 /// Rounded down, so that rounding never makes it too long.
 MoveCost straightLine(MoveCost columns, MoveCost rows, double scale) {
@@ -19,17 +19,11 @@ MoveCost straightLine(MoveCost columns, MoveCost rows, double scale) {
 
 }  // namespace
 
-void checkHeuristic(const HeuristicParameters& heuristic) {
-  if (heuristic.scale >= 0.0 && heuristic.scale <= kLargestEuclideanScale) return;
-  throw std::invalid_argument("the heuristic's scale is " + std::to_string(heuristic.scale) +
-                              ", expected a number from 0 to " + std::to_string(kLargestEuclideanScale));
-}
-
-MoveCost estimateCost(const HeuristicParameters& heuristic, CellIndex from, CellIndex to, const MoveCosts& costs) {
+MoveCost estimateCost(Heuristic heuristic, CellIndex from, CellIndex to, const MoveCosts& costs) {
   const MoveCost columns = std::abs(from.column - to.column);
   const MoveCost rows = std::abs(from.row - to.row);
   const OctileSteps steps(columns, rows);
-  switch (heuristic.kind) {
+  switch (heuristic) {
     case Heuristic::kManhattan:
       return costs.straight * (columns + rows);
     case Heuristic::kChebyshev:
@@ -39,7 +33,7 @@ MoveCost estimateCost(const HeuristicParameters& heuristic, CellIndex from, Cell
     case Heuristic::kEuclidean:
       return straightLine(columns, rows, 1.0);
     case Heuristic::kScaledEuclidean:
-      return straightLine(columns, rows, heuristic.scale);
+      return straightLine(columns, rows, kThesisScale);
   }
   return 0;
 }

@@ -14,11 +14,11 @@ struct GridAgentOptions {
   std::string agent = "lstm";
   std::string model;  ///< ONNX file of an agent that is a network
   CornerCutting corner_cutting = CornerCutting::kForbidden;
-  HeuristicParameters heuristic;      ///< of A*
-  bool keep_closed = false;           ///< of A*: cells are expanded once, however reached later
-  MoveCosts costs;                    ///< of A*
-  bool diagonal_moves = true;         ///< of A*; false: it has four moves
-  NetworkGridAgent::Options network;  ///< of a network, but for the corners
+  Heuristic heuristic = Heuristic::kOctile;  ///< of A*
+  bool keep_closed = false;                  ///< of A*: cells are expanded once, however reached later
+  MoveCosts costs;                           ///< of A*
+  bool diagonal_moves = true;                ///< of A*; false: it has four moves
+  NetworkGridAgent::Options network;         ///< of a network, but for the corners
 };
 
 /// "astar", "dstar", "rolling_escape", "greedy", "boundary" and the networks: "lstm", "rnn", "mlp",
