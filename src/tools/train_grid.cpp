@@ -1,7 +1,5 @@
 #include "tools/train_grid.hpp"
 
-#include <cmath>
-#include <filesystem>
 #include <functional>
 #include <iomanip>
 #include <memory>
@@ -27,36 +25,12 @@ namespace {
 constexpr int kTrainingMaps = 6;
 constexpr int kValidationMaps = 4;
 
-struct WeightedFolder {
-  std::string folder;
-  double weight = 1.0;
-};
-
-/// DIR=WEIGHT, unless a folder has that name.
-WeightedFolder parseFolder(const std::string& text) {
-  const std::size_t sign = text.rfind('=');
-  if (sign == std::string::npos || std::filesystem::is_directory(text)) return {text, 1.0};
-  const std::string weight = text.substr(sign + 1);
-  std::size_t used = 0;
-  double value = 0.0;
-  try {
-    value = std::stod(weight, &used);
-  } catch (const std::logic_error&) {
-    used = 0;
-  }
-  if (used == 0 || used != weight.size() || !(value > 0.0) || !std::isfinite(value)) {
-    throw std::invalid_argument("--maps has '" + text + "', expected DIR or DIR=WEIGHT with a positive weight");
-  }
-  return {text.substr(0, sign), value};
-}
-
-void addSet(const GridSetFiles& files, double weight, const GridTrainingOptions& options, GridTrainingMaps* maps) {
+void addSet(const GridSetFiles& files, const GridTrainingOptions& options, GridTrainingMaps* maps) {
   GridCourse::Set training;
-  training.weight = weight;
   for (const GridMapFiles& map : selectMaps(files, MapSelection::kTrain)) {
-    training.maps.push_back(readMovingAiMap(mapOfScenarioFile(map.scenario_files.front()), options.rule));
+    training.push_back(readMovingAiMap(mapOfScenarioFile(map.scenario_files.front()), options.rule));
   }
-  if (training.maps.empty()) throw std::invalid_argument("set " + files.name + " has no training maps");
+  if (training.empty()) throw std::invalid_argument("set " + files.name + " has no training maps");
   ScenarioSelection selection;
   selection.maps = MapSelection::kValidation;
   selection.min_length = options.min_length;
@@ -103,7 +77,7 @@ void addGenerated(const std::string& name, const Generator& generate, const Grid
     grids[static_cast<std::size_t>(index)] = generate(options.seed * 1000 + static_cast<std::uint64_t>(index));
   });
   const auto first_validation = grids.begin() + kTrainingMaps;
-  maps->training.push_back({{grids.begin(), first_validation}, 1.0});
+  maps->training.emplace_back(grids.begin(), first_validation);
   maps->validation.push_back(drawTasks(name, {first_validation, grids.end()}, options));
 }
 
@@ -127,7 +101,7 @@ void addGridMapOptions(GridTrainingOptions* options, CommandLine* line) {
   GridTrainingOptions& o = *options;
   line->addChoice("task", &o.task, {"grid", "robot"}, "grid (this) or robot");
   line->addFiles("maps", &o.maps,
-                 "folders of the MovingAI benchmark's sets (with Maps and Scenarios in them), each DIR or DIR=WEIGHT; "
+                 "folders of the MovingAI benchmark's sets (with Maps and Scenarios in them); "
                  "maps 0-5 of a set (of more than 20 maps the first half) are for training, the others for validation "
                  "(default: generated caves, mazes and random fill)");
   line->add("map-size", &o.map_size, {16, 4096}, "cells; size of the generated maps");
@@ -173,9 +147,8 @@ LayerStack firstLayers(const GridTrainingOptions& options) {
 
 GridTrainingMaps loadGridTrainingMaps(const GridTrainingOptions& options) {
   GridTrainingMaps maps;
-  for (const std::string& text : options.maps) {
-    const WeightedFolder folder = parseFolder(text);
-    for (const GridSetFiles& files : findGridSets(folder.folder)) addSet(files, folder.weight, options, &maps);
+  for (const std::string& folder : options.maps) {
+    for (const GridSetFiles& files : findGridSets(folder)) addSet(files, options, &maps);
   }
   if (options.maps.empty()) generate(options, &maps);
   return maps;
@@ -183,9 +156,7 @@ GridTrainingMaps loadGridTrainingMaps(const GridTrainingOptions& options) {
 
 std::vector<GridCourse::Set> validationMaps(const GridTrainingMaps& maps) {
   std::vector<GridCourse::Set> sets;
-  for (std::size_t i = 0; i < maps.validation.size(); ++i) {
-    sets.push_back({maps.validation[i].maps, maps.training[i].weight});
-  }
+  for (const GridTaskSet& set : maps.validation) sets.push_back(set.maps);
   return sets;
 }
 

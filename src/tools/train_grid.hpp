@@ -20,7 +20,7 @@ struct GridTrainingOptions {
   std::string command;  ///< the whole command line
   std::string task = "grid";
   std::string method;
-  std::vector<std::string> maps;  ///< folders of benchmark sets, each DIR or DIR=WEIGHT; none: generated maps
+  std::vector<std::string> maps;  ///< folders of benchmark sets; none: generated maps
   int map_size = 256;             ///< cells, of generated maps
   double min_length = 10.0;       ///< cells, of the shortest path
   double max_length = 300.0;
@@ -60,7 +60,7 @@ struct GridTrainingMaps {
 /// MovingAiFileError for files.
 GridTrainingMaps loadGridTrainingMaps(const GridTrainingOptions& options);
 
-/// The validation scenarios' maps with the sets' weights.
+/// The validation scenarios' maps.
 std::vector<GridCourse::Set> validationMaps(const GridTrainingMaps& maps);
 
 /// Judges networks while they learn, by the mean of success(), and writes them to the output file.

@@ -113,7 +113,6 @@ void addTrainingOptions(DatasetTrainingOptions* o, CommandLine* line) {
   addLossOption(&trainer.loss, line);
   line->add("rate", &trainer.optimiser.learning_rate, kAnyRate, "learning rate");
   line->add("batch", &trainer.batch_size, kAnyCount, "sequences per update");
-  line->add("clip", &trainer.optimiser.max_gradient_norm, {0.0, 1e9}, "longer gradients are shortened; 0: never");
   line->add("averaging", &trainer.averaging, kAnyShare,
             "weights are averaged: share of the old average that an update keeps; 0: no averaging");
   line->addSeed(&o->seed, "seed of all random numbers");

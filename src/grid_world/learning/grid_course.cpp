@@ -99,26 +99,21 @@ GridCourse::GridCourse(const GridCourseParameters& parameters, const std::vector
                        int threads)
     : parameters_(parameters), random_(seed) {
   validate(parameters);
-  double weights = 0.0;
-  for (const Set& set : sets) {
-    checkPositive("weight of a set of maps", set.weight);
-    if (set.maps.empty()) throw std::invalid_argument("a set of training maps is empty, expected at least one map");
-    weights += set.weight;
-  }
   if (sets.empty()) throw std::invalid_argument("there are no training maps, expected at least one");
+  const double each = 1.0 / static_cast<double>(sets.size());
+  const int goals = std::max(1, static_cast<int>(each * parameters.goals));
   for (const Set& set : sets) {
+    if (set.empty()) throw std::invalid_argument("a set of training maps is empty, expected at least one map");
     CourseSet course;
-    course.share = set.weight / weights;
     const std::size_t copies = parameters.mirrored ? 2 : 1;
-    course.maps.resize(set.maps.size() * copies);
+    course.maps.resize(set.size() * copies);
     parallelFor(static_cast<int>(course.maps.size()), threads, [&](int index, int) {
-      const PassableGrid& grid = set.maps[static_cast<std::size_t>(index) / copies];
+      const PassableGrid& grid = set[static_cast<std::size_t>(index) / copies];
       auto map = std::make_shared<CourseMap>();
       map->grid = static_cast<std::size_t>(index) % copies == 0 ? grid : mirrored(grid);
       map->ranges = RangeTable(map->grid);
       course.maps[static_cast<std::size_t>(index)] = std::move(map);
     });
-    const int goals = std::max(1, static_cast<int>(course.share * parameters.goals));
     course.goals.resize(static_cast<std::size_t>(goals));
     std::vector<std::uint64_t> seeds(course.goals.size());
     for (std::uint64_t& goal_seed : seeds) goal_seed = random_();
@@ -152,10 +147,11 @@ std::shared_ptr<const CourseGoal> GridCourse::makeGoal(const CourseSet& set, Ran
 }
 
 std::size_t GridCourse::drawSet(Random& random) const {
+  const double each = 1.0 / static_cast<double>(sets_.size());
   double share = uniform(random);
   for (std::size_t set = 0; set < sets_.size(); ++set) {
-    if (share < sets_[set].share) return set;
-    share -= sets_[set].share;
+    if (share < each) return set;
+    share -= each;
   }
   return sets_.size() - 1;
 }

@@ -9,7 +9,7 @@ namespace {
 std::vector<GridCourse::Set> mapsOf(const std::vector<std::string>& scenario_files) {
   std::vector<GridCourse::Set> sets;
   for (const std::string& file : scenario_files) {
-    sets.push_back({{readMovingAiMap(mapOfScenarioFile(file), PassableRule::kThesis)}, 1.0});
+    sets.push_back({readMovingAiMap(mapOfScenarioFile(file), PassableRule::kThesis)});
   }
   return sets;
 }

@@ -49,9 +49,9 @@ void validate(const GridCourseParameters& parameters);
 /// is nearer than where it is: the goal, or a dead end.
 CellIndex deadEndBelow(const PassableGrid& grid, CellIndex start, CellIndex goal, CornerCutting corner_cutting);
 
-/// Draws the episodes to learn from: maps by weight, and lengths of the shortest path uniformly in their range or, for
-/// a share of the episodes, in proportion to 1 / length: what counts in the mean of length / optimum are short paths. A
-/// few are much longer.
+/// Draws the episodes to learn from: as many of each set of maps, and lengths of the shortest path uniformly in their
+/// range or, for a share of the episodes, in proportion to 1 / length: what counts in the mean of length / optimum are
+/// short paths. A few are much longer.
 class GridCourse {
  public:
   /// One walk to learn from.
@@ -60,12 +60,8 @@ class GridCourse {
     CellIndex start;
   };
 
-  /// `sets` of maps and the share of episodes that each is to get. Throws std::invalid_argument when there is no map,
-  /// or a weight is not positive.
-  struct Set {
-    std::vector<PassableGrid> maps;
-    double weight = 1.0;
-  };
+  using Set = std::vector<PassableGrid>;
+  /// Throws std::invalid_argument when there is no map, or a set has none.
   GridCourse(const GridCourseParameters& parameters, const std::vector<Set>& sets, std::uint64_t seed, int threads);
 
   CornerCutting cornerCutting() const { return parameters_.corner_cutting; }
@@ -77,12 +73,11 @@ class GridCourse {
   void renew(int count);
 
  private:
-  /// A Set, and the goals that are kept in its maps.
+  /// The maps of a Set, and the goals that are kept in them.
   struct CourseSet {
     std::vector<std::shared_ptr<const CourseMap>> maps;
     std::vector<std::shared_ptr<const CourseGoal>> goals;
     std::size_t oldest = 0;
-    double share = 0.0;
   };
   std::size_t drawBucket(Random& random) const;
   std::size_t drawSet(Random& random) const;

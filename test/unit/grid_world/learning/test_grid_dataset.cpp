@@ -22,7 +22,7 @@ GridDatasetParameters smallDataset() {
   return parameters;
 }
 
-GridCourse caveCourse() { return GridCourse(smallCourse(), {{{smallCave(1), smallCave(2)}, 1.0}}, 3, 1); }
+GridCourse caveCourse() { return GridCourse(smallCourse(), {{smallCave(1), smallCave(2)}}, 3, 1); }
 
 /// Always prefers to go west.
 Model westward() {
@@ -36,7 +36,7 @@ Model westward() {
 TEST(SupervisorMove, LeadsAlongAShortestPathFromEverywhere) {
   const PassableGrid grid = smallCave(1);
   Random random(1);
-  const GridCourse course(smallCourse(), {{{grid}, 1.0}}, 1, 1);
+  const GridCourse course(smallCourse(), {{grid}}, 1, 1);
   for (int i = 0; i < 50; ++i) {
     const GridCourse::Episode episode = course.draw(random);
     double walked = 0.0;

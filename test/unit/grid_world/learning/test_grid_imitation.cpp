@@ -34,7 +34,7 @@ LayerStack smallNetwork(const std::vector<int>& cells) {
 }
 
 std::unique_ptr<ImitationRounds> inCaves(const GridImitationParameters& parameters) {
-  return gridImitation(parameters, smallNetwork({4}), {{{smallCave(1)}, 1.0}}, {{{smallCave(2)}, 1.0}});
+  return gridImitation(parameters, smallNetwork({4}), {{smallCave(1)}}, {{smallCave(2)}});
 }
 
 /// Weights after all rounds.
@@ -66,7 +66,7 @@ TEST(GridImitation, LearnsWhatTheInputsTell) {
   parameters.rounds = 1;
   parameters.trainer.epochs = 30;
   parameters.trainer.optimiser.learning_rate = 0.02;
-  const Sets open = {{{PassableGrid(40, 40, true)}, 1.0}};
+  const Sets open = {{PassableGrid(40, 40, true)}};
   const auto rounds = gridImitation(parameters, smallNetwork({8}), open, open);
   while (!rounds->done()) rounds->step();
   const LossSum validation = rounds->roundResult().best().validation;

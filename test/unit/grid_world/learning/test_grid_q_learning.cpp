@@ -28,7 +28,7 @@ GridCourseParameters courseUpTo(double max_length) {
   return parameters;
 }
 
-std::vector<GridCourse::Set> only(const PassableGrid& grid) { return {{{grid}, 1.0}}; }
+std::vector<GridCourse::Set> only(const PassableGrid& grid) { return {{grid}}; }
 
 GridCourse courseOn(const PassableGrid& grid, double max_length) {
   return GridCourse(courseUpTo(max_length), only(grid), 1, 1);

@@ -21,7 +21,7 @@ GridImitationParameters tinySearch(int threads) {
 
 std::vector<StructureOutcome> search(int threads, const std::vector<StructureTrial>& trials,
                                      const std::function<bool(double)>& progress = {}) {
-  return searchGridStructures(tinySearch(threads), trials, {{{smallCave(1)}, 1.0}}, {{{smallCave(2)}, 1.0}}, progress);
+  return searchGridStructures(tinySearch(threads), trials, {{smallCave(1)}}, {{smallCave(2)}}, progress);
 }
 
 TEST(StructureSearch, TriesWhatTheThesisTried) {
@@ -52,7 +52,7 @@ TEST(StructureSearch, LearnsMoreInMoreEpochs) {
   const std::vector<StructureTrial> trials = {{1, 1, 8, 128, std::nullopt}};
   const auto accuracy = [&](int epochs) {
     parameters.trainer.epochs = epochs;
-    const auto outcome = searchGridStructures(parameters, trials, {{{smallCave(1)}, 1.0}}, {{{smallCave(2)}, 1.0}});
+    const auto outcome = searchGridStructures(parameters, trials, {{smallCave(1)}}, {{smallCave(2)}});
     return outcome.at(0).validation_accuracy;
   };
   // One answer out of eight.
