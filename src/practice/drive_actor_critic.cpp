@@ -125,10 +125,8 @@ class PractisingActorCritic final : public DriveActorCritic {
     }
     setParameterVector(learner_.policy(), policy_);
     learner_.finishUpdate(sums.steps);
-    report_ = learner_.report(batch.judged());
-    report_.reward = sums.reward;
-    report_.arrival = sums.arrival;
-    report_.entropy = batch.entropy();
+    report_ = {learner_.updates(), learner_.steps(), sums.reward,
+               sums.arrival,       batch.entropy(),  batch.judged().explained()};
   }
 
   const ReinforcementReport& report() const override { return report_; }

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "lstm_planner/practice/drive_actor_critic.hpp"
-#include "lstm_planner/training/critic.hpp"
 #include "lstm_planner/training/lane_network.hpp"
 #include "practice/drive_queues.hpp"
 #include "practice/drive_views.hpp"

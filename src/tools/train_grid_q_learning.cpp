@@ -97,7 +97,7 @@ class GridQLearningHost : public GridTrainingHost {
 
   void judged(const Judgement& judgement) override {
     if (!judgement.due) return;
-    const ReinforcementReport report = training_.report();
+    const GridQLearning::Report report = training_.report();
     points_.push_back({training_.epoch(), report.steps, report.reward, report.arrival, report.ratio, success(),
                        judgement.score, judgement.best});
     print(points_.back());

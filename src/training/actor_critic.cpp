@@ -33,6 +33,37 @@ void validate(const ActorCriticParameters& parameters) {
   checkAtLeastOne("threads", parameters.threads);
 }
 
+void CriticSums::count(std::size_t set, double value, double advantage) {
+  const double result = value + advantage;
+  steps += 1.0;
+  returns += result;
+  squared_returns += result * result;
+  squared_errors += advantage * advantage;
+  set_steps[set] += 1.0;
+  set_squared_advantages[set] += advantage * advantage;
+}
+
+double CriticSums::explained() const {
+  const double spread = squared_returns - returns * returns / steps;
+  return 1.0 - squared_errors / std::max(1e-12, spread);
+}
+
+void CriticSums::moveVariances(double share, std::vector<double>* variances) const {
+  for (std::size_t set = 0; set < set_steps.size(); ++set) {
+    if (set_steps[set] == 0.0) continue;
+    double& variance = (*variances)[set];
+    variance += share * (set_squared_advantages[set] / set_steps[set] - variance);
+  }
+}
+
+std::vector<double*> numbersOf(CriticSums* sums) {
+  std::vector<double*> all = {&sums->steps, &sums->returns, &sums->squared_returns, &sums->squared_errors};
+  for (std::vector<double>* by_set : {&sums->set_steps, &sums->set_squared_advantages}) {
+    for (double& number : *by_set) all.push_back(&number);
+  }
+  return all;
+}
+
 ActorCritic::ActorCritic(const ActorCriticParameters& parameters, int updates, const LayerStack& policy,
                          const LayerStack& critic, std::size_t sets)
     : parameters_(parameters),
@@ -62,14 +93,6 @@ void ActorCritic::updateCritic(const Eigen::VectorXf& gradient, double steps) {
 void ActorCritic::finishUpdate(double steps) {
   ++updates_;
   steps_ += steps;
-}
-
-ReinforcementReport ActorCritic::report(const CriticSums& judged) const {
-  ReinforcementReport report;
-  report.update = updates_;
-  report.steps = steps_;
-  report.explained = judged.explained();
-  return report;
 }
 
 std::vector<std::uint8_t> ActorCritic::checkpoint() const {

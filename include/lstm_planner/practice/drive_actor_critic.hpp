@@ -7,7 +7,6 @@
 #include "lstm_planner/drive/decision/drive_policy.hpp"
 #include "lstm_planner/practice/drive_course.hpp"
 #include "lstm_planner/training/actor_critic.hpp"
-#include "lstm_planner/training/reinforcement_report.hpp"
 #include "lstm_planner/training/training_loop.hpp"
 
 namespace lstm_planner {
@@ -47,6 +46,16 @@ void visitPracticeParameters(Parameters& p, const Visitor& visit) {
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const DriveActorCriticParameters& parameters);
+
+/// What the robot did in an iteration.
+struct ReinforcementReport {
+  int update = 0;          ///< from 1
+  double steps = 0.0;      ///< of all drives since the start
+  double reward = 0.0;     ///< mean of a drive, m
+  double arrival = 0.0;    ///< share of the drives
+  double entropy = 0.0;    ///< mean, nat
+  double explained = 0.0;  ///< share of the returns' variance that the critic explains
+};
 
 /// The robot's network, while it learns by reinforcement: a step is an iteration, which collects drives and learns from
 /// them. What happens in it depends only on the weights, the seed, and how many iterations there were before. The

@@ -1,14 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "lstm_planner/common/communicator.hpp"
 #include "lstm_planner/network/layers.hpp"
-#include "lstm_planner/training/critic.hpp"
 #include "lstm_planner/training/optimiser.hpp"
-#include "lstm_planner/training/reinforcement_report.hpp"
 
 namespace lstm_planner {
 
@@ -40,6 +39,25 @@ void visitActorCriticParameters(Parameters& p, const Visitor& visit) {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const ActorCriticParameters& parameters);
 
+/// What is added up over the steps that a critic has judged: how well it foresees the returns, and how much the
+/// advantages vary in each set of the course.
+struct CriticSums {
+  explicit CriticSums(std::size_t sets = 0) : set_steps(sets), set_squared_advantages(sets) {}
+
+  double steps = 0.0, returns = 0.0, squared_returns = 0.0;
+  double squared_errors = 0.0;
+  std::vector<double> set_steps, set_squared_advantages;
+
+  /// A step in a set, whose state the critic values at `value`.
+  void count(std::size_t set, double value, double advantage);
+
+  /// Share of the variance of the returns.
+  double explained() const;
+  /// Moves the variances by that share towards those of these steps, of the sets that have some.
+  void moveVariances(double share, std::vector<double>* variances) const;
+};
+std::vector<double*> numbersOf(CriticSums* sums);
+
 /// The weights of a policy and its critic while they learn, whatever the course is: optimisers, schedule, the variance
 /// of the advantages, and the checkpoint of it all.
 class ActorCritic {
@@ -65,9 +83,6 @@ class ActorCritic {
   void finishUpdate(double steps);
   int updates() const { return updates_; }
   double steps() const { return steps_; }  ///< of all updates
-
-  /// After the last update, in which the critic judged these steps. What the agents did is the course's to fill in.
-  ReinforcementReport report(const CriticSums& judged) const;
 
   /// Everything that the next update depends on.
   std::vector<std::uint8_t> checkpoint() const;

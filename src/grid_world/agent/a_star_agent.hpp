@@ -9,7 +9,7 @@ namespace lstm_planner {
 /// yardstick of the others. It ignores what is sensed.
 class AStarAgent : public GridAgent {
  public:
-  /// `grid` must stay where it is and must not change its size. Throws std::invalid_argument for a bad scale.
+  /// `grid` must stay where it is and must not change its size.
   explicit AStarAgent(const PassableGrid& grid, AStarParameters parameters = {});
 
   /// Throws std::invalid_argument when start or goal is outside or not passable.

@@ -43,9 +43,8 @@ class GridQLearningOnMaps final : public GridQLearning {
     }
   }
 
-  ReinforcementReport report() override {
-    ReinforcementReport report;
-    report.update = learner_.updates();
+  Report report() override {
+    Report report;
     report.steps = learner_.steps();
     if (sums_.steps > 0.0) report.reward = sums_.reward / sums_.steps;
     report.arrival = sums_.episodes.arrival();

@@ -34,7 +34,7 @@ struct AStarResult {
 /// A* on a known grid (thesis Algorithm 1), offline.
 class AStar {
  public:
-  /// `grid` must stay where it is and must not change its size. Throws std::invalid_argument for a bad scale.
+  /// `grid` must stay where it is and must not change its size.
   explicit AStar(const PassableGrid& grid, AStarParameters parameters = {});
 
   /// Throws std::invalid_argument when start or goal is outside or not passable.

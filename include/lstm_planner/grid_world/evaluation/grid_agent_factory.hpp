@@ -33,7 +33,7 @@ bool isNetworkAgent(const std::string& name);
 std::string shippedModelOf(const std::string& name);
 
 /// A maker of such agents; a model is read once, here. Throws std::invalid_argument for an unknown name, a missing
-/// model or a bad scale, and ModelFileError or std::invalid_argument for a model that cannot be used.
+/// model, and ModelFileError or std::invalid_argument for a model that cannot be used.
 GridAgentMaker gridAgentMaker(const GridAgentOptions& options);
 
 }  // namespace lstm_planner

@@ -5,7 +5,6 @@
 
 #include "lstm_planner/grid_world/learning/grid_course.hpp"
 #include "lstm_planner/training/q_learner.hpp"
-#include "lstm_planner/training/reinforcement_report.hpp"
 #include "lstm_planner/training/training_loop.hpp"
 
 namespace lstm_planner {
@@ -45,8 +44,14 @@ class GridQLearning : public SteppedTraining {
   virtual int epoch() const = 0;        ///< done so far
   virtual double progress() const = 0;  ///< share of the updates that are done
 
+  struct Report {
+    double steps = 0.0;    ///< of all agents since the start
+    double reward = 0.0;   ///< mean of a step
+    double arrival = 0.0;  ///< share of the episodes that ended
+    double ratio = 0.0;    ///< mean length / optimum of those that arrived
+  };
   /// Since the last call; means over nothing are 0.
-  virtual ReinforcementReport report() = 0;
+  virtual Report report() = 0;
 };
 
 /// `layers` with weights to start from; kGridInputs inputs and kGridMoveCount outputs. Throws std::invalid_argument for
