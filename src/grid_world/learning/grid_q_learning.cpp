@@ -47,8 +47,8 @@ class GridQLearningOnMaps final : public GridQLearning {
     Report report;
     report.steps = learner_.steps();
     if (sums_.steps > 0.0) report.reward = sums_.reward / sums_.steps;
-    report.arrival = sums_.episodes.arrival();
-    report.ratio = sums_.episodes.meanRatio();
+    if (sums_.ended > 0.0) report.arrival = sums_.arrived / sums_.ended;
+    if (sums_.arrived > 0.0) report.ratio = sums_.ratio / sums_.arrived;
     sums_ = {};
     return report;
   }

@@ -23,10 +23,32 @@ int randomMove(GridActor& walker) {
 
 }  // namespace
 
+void GridActor::startEpisode() {
+  episode_ = course_->draw(random_);
+  walk_ = GridWalk(episode_.goal->map->ranges, episode_.start, episode_.goal->goal);
+  walked_ = 0.0;
+  previous_direction_ = kNoPath;
+}
+
+GridActor::Outcome GridActor::step(int direction, int max_steps) {
+  const float before = distance();
+  walk_.move(direction);
+  walked_ += moveLength(direction);
+  previous_direction_ = direction;
+  Outcome outcome;
+  outcome.arrived = walk_.hasArrived();
+  outcome.timed_out = !outcome.arrived && walk_.moves() >= max_steps;
+  outcome.reward = static_cast<double>(before - distance()) - kStepCost;
+  if (outcome.arrived) {
+    outcome.reward += kArrivalBonus;
+    outcome.ratio = walked_ / static_cast<double>(episode_.goal->distances.at(episode_.start));
+  }
+  if (outcome.arrived || outcome.timed_out) startEpisode();
+  return outcome;
+}
+
 std::vector<double*> numbersOf(QSums* sums) {
-  GridEpisodeSums& episodes = sums->episodes;
-  return {&sums->steps,    &sums->value,      &sums->squared_error, &sums->reward,
-          &episodes.ended, &episodes.arrived, &episodes.ratio};
+  return {&sums->steps, &sums->value, &sums->squared_error, &sums->reward, &sums->ended, &sums->arrived, &sums->ratio};
 }
 
 QTile::QTile(const GridQLearningParameters& parameters, const LayerStack& layers, const GridCourse& course,
@@ -104,7 +126,9 @@ void QTile::move(int step, int actor, double epsilon) {
   transition.reward = outcome.reward;
   transition.arrived = outcome.arrived;
   transition.timed_out = outcome.timed_out;
-  sums_.episodes.count(outcome);
+  if (outcome.arrived || outcome.timed_out) sums_.ended += 1.0;
+  if (outcome.arrived) sums_.arrived += 1.0;
+  sums_.ratio += outcome.ratio;
 }
 
 /// From the targets of one agent's steps, the derivatives by the network's outputs.

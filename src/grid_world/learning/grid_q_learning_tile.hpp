@@ -3,11 +3,55 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "grid_world/learning/grid_actor.hpp"
+#include "grid_world/agent/grid_walk.hpp"
+#include "lstm_planner/grid_world/agent/grid_agent.hpp"
+#include "lstm_planner/grid_world/learning/grid_course.hpp"
 #include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
 #include "lstm_planner/training/lane_network.hpp"
 
 namespace lstm_planner {
+
+// Of the reward, cells.
+constexpr double kStepCost = 0.2;
+constexpr double kArrivalBonus = 10.0;
+
+/// One agent that learns: walks through one episode after the other.
+class GridActor {
+ public:
+  /// Of a step.
+  struct Outcome {
+    double reward = 0.0;
+    bool arrived = false;
+    bool timed_out = false;
+    double ratio = 0.0;  ///< length / optimum, where it arrived
+  };
+
+  GridActor(const GridCourse& course, std::uint64_t seed) : course_(&course), random_(seed) { startEpisode(); }
+
+  bool atStart() const { return walk_.moves() == 0; }
+  /// Senses; once before each step().
+  void observe() { observation_ = walk_.observe(); }
+  const GridObservation& observation() const { return observation_; }
+  int previousDirection() const { return previous_direction_; }  ///< kNoPath before the first move
+  /// Whether the shield allows a move.
+  bool possible(int direction) const { return movePossible(observation_.ranges, direction, CornerCutting::kForbidden); }
+  Random& random() { return random_; }
+
+  /// `direction` must be possible. Where the episode ends, at the latest after `max_steps`, the next one starts.
+  Outcome step(int direction, int max_steps);
+
+ private:
+  void startEpisode();
+  float distance() const { return episode_.goal->distances.at(walk_.cell()); }  ///< along the shortest path, cells
+
+  const GridCourse* course_;
+  Random random_;
+  GridCourse::Episode episode_;
+  GridObservation observation_;
+  int previous_direction_ = kNoPath;
+  GridWalk walk_;
+  double walked_ = 0.0;  ///< cells
+};
 
 /// An output of the network times this is a value, cells.
 constexpr double kValueScale = 20.0;
@@ -18,7 +62,9 @@ struct QSums {
   double value = 0.0;          ///< of the moves that were made
   double squared_error = 0.0;  ///< of these values
   double reward = 0.0;
-  GridEpisodeSums episodes;
+  double ended = 0.0;    ///< episodes
+  double arrived = 0.0;  ///< of these
+  double ratio = 0.0;    ///< of the episodes that arrived
 };
 std::vector<double*> numbersOf(QSums* sums);
 
