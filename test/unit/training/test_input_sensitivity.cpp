@@ -4,9 +4,9 @@
 #include <stdexcept>
 
 #include "lstm_planner/training/initialisation.hpp"
+#include "lstm_planner/training/memory_comparison.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
 #include "training/input_sensitivity.hpp"
-#include "training/recall_task.hpp"
 #include "unit/training/gradient_fixtures.hpp"
 
 namespace lstm_planner::test_input_sensitivity {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "lstm_planner/common/random.hpp"
+#include "lstm_planner/training/memory_comparison.hpp"
 #include "lstm_planner/training/sequence.hpp"
-#include "training/recall_task.hpp"
 
 namespace lstm_planner {
 
