@@ -49,7 +49,7 @@ TEST(DStarAgent, ArrivesWithoutCollisionExactlyIfThereIsAWay) {
     const CellIndex goal{37, 28};
     const PassableGrid grid = randomGrid(40, 30, 35, random, {start, goal});
     for (const CornerCutting corner_cutting : {CornerCutting::kForbidden, CornerCutting::kAllowed}) {
-      const bool is_path = AStar(grid, {{}, corner_cutting}).find(start, goal).path.found();
+      const bool is_path = AStar(grid, {Heuristic::kOctile, corner_cutting}).find(start, goal).path.found();
       DStarAgent agent(40, 30, corner_cutting);
       const Episode episode = drive(grid, agent, start, goal, corner_cutting);
       EXPECT_FALSE(episode.collided);

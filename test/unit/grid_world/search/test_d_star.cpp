@@ -29,7 +29,7 @@ GridPath pathOf(const DStar& search, CellIndex robot) {
 
 void expectSameAsAStar(const PassableGrid& grid, DStar& search, CellIndex robot, CellIndex goal,
                        CornerCutting corner_cutting) {
-  const GridPath shortest = AStar(grid, {{}, corner_cutting}).find(robot, goal).path;
+  const GridPath shortest = AStar(grid, {Heuristic::kOctile, corner_cutting}).find(robot, goal).path;
   ASSERT_EQ(search.plan(robot), shortest.found());
   if (!shortest.found()) return;
   const GridPath path = pathOf(search, robot);
