@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -27,6 +28,18 @@ constexpr Range kAnyThreads{1, 1024};
 constexpr Range kAnyLayer{1, 4096};  ///< cells or units
 constexpr Range kAnyWindow{1, 1e5};  ///< steps that errors go back
 constexpr Range kAnyRate{1e-9, 100.0};
+
+/// "[0, 1]"
+std::string toText(Range range);
+
+/// As people write it: 0.8, 1000000.
+std::string toText(double number);
+
+constexpr std::size_t kTextWidth = 110;  ///< letters of a line, of what the tool explains
+
+/// The text in lines of at most `width` letters, broken at blanks; all lines but the first start with `indent` blanks,
+/// of which the first has `used` letters before it already.
+std::string wrapped(const std::string& text, std::size_t width, std::size_t indent, std::size_t used);
 
 /// An option as a command declares it; made by CommandLine.
 struct Option {

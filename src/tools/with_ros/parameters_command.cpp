@@ -17,7 +17,6 @@
 #include "lstm_planner/ros/replay/bag_replay.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
-#include "tools/option_text.hpp"
 
 namespace lstm_planner {
 namespace {
