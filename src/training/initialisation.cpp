@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/common/random.hpp"
 
 namespace lstm_planner {
@@ -17,8 +18,7 @@ class WeightSource {
   /// `outputs` counts the units of one gate: a gate's weights are as large as if it were a layer of its own.
   void fill(Eigen::Index outputs, Eigen::MatrixXf& weights) {
     const double fans = static_cast<double>(weights.cols() + outputs);
-    const double range =
-        parameters_.distribution == WeightDistribution::kXavier ? std::sqrt(6.0 / fans) : parameters_.range;
+    const double range = parameters_.range.value_or(std::sqrt(6.0 / fans));
     for (Eigen::Index column = 0; column < weights.cols(); ++column) {
       for (Eigen::Index row = 0; row < weights.rows(); ++row) {
         weights(row, column) = static_cast<float>(uniform(random_, -range, range));
@@ -71,10 +71,7 @@ void appendDense(const std::vector<int>& units, Activation activation, int* widt
 }  // namespace
 
 LayerStack initialised(LayerStack layers, std::uint64_t seed, const InitialisationParameters& parameters) {
-  if (!std::isfinite(parameters.range) || parameters.range <= 0.0) {
-    throw std::invalid_argument("range of the initial weights is " + std::to_string(parameters.range) +
-                                ", expected a positive number");
-  }
+  if (parameters.range) checkPositive("range", *parameters.range);
   if (!std::isfinite(parameters.forget_gate_bias)) {
     throw std::invalid_argument("forget_gate_bias is not finite, expected a number");
   }

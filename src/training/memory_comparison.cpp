@@ -102,7 +102,6 @@ std::vector<MemoryNetwork> memoryNetworks() {
   NetworkShape equal_weights = equal_units;
   equal_weights.cells = {17};
   InitialisationParameters small;
-  small.distribution = WeightDistribution::kUniform;
   small.range = 0.1;
   const auto withForgetGate = [](double bias) {
     InitialisationParameters start;

@@ -1,22 +1,18 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "lstm_planner/network/layers.hpp"
 
 namespace lstm_planner {
 
-/// Distribution of the weights before training; biases start at 0.
-enum class WeightDistribution {
-  kXavier,   ///< uniform in +-sqrt(6 / (fan in + fan out)), gates counted one by one (Glorot and Bengio, AISTATS 2010)
-  kUniform,  ///< uniform in +-range
-};
-
-/// How random weights are drawn.
+/// How random weights are drawn before training; biases start at 0.
 struct InitialisationParameters {
-  WeightDistribution distribution = WeightDistribution::kXavier;
-  double range = 0.1;  ///< of kUniform, > 0
+  /// Weights are uniform in +-range; without one in +-sqrt(6 / (fan in + fan out)), gates counted one by one (Xavier:
+  /// Glorot and Bengio, AISTATS 2010).
+  std::optional<double> range;
   double forget_gate_bias =
       1.0;  ///< LSTM cells that start open remember over long spans (Jozefowicz et al., ICML 2015)
 };

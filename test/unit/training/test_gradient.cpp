@@ -82,7 +82,6 @@ std::vector<NamedStack> stacksOfEachKind() {
   };
   for (NamedStack& stack : stacks) {
     InitialisationParameters parameters;
-    parameters.distribution = WeightDistribution::kUniform;
     parameters.range = 0.8;
     stack.layers = initialised(stack.layers, 17, parameters);
     // Biases too, which initialised() leaves at zero.

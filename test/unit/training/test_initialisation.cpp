@@ -29,7 +29,6 @@ TEST(Initialisation, XavierFillsItsRangeForEachGate) {
 
 TEST(Initialisation, UniformKeepsItsRange) {
   InitialisationParameters parameters;
-  parameters.distribution = WeightDistribution::kUniform;
   parameters.range = 0.05;
   const LayerStack layers = initialised(makeDenseStack(20, {30}, 5), 1, parameters);
   const float largest = parameterVector(layers).cwiseAbs().maxCoeff();
