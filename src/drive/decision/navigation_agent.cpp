@@ -239,7 +239,7 @@ void NavigationAgent::noteProgress() {
 void NavigationAgent::startFrom(const char* why) {
   best_position_ = {situation_.pose.x, situation_.pose.y};
   progress_.restart(distanceBetween(best_position_, goal_));
-  if (replanner_) replanner_->noteProgress(progress_.best());
+  if (replanner_) replanner_->noteProgress(best_position_, goal_);
   lead(chosen_, why);
 }
 

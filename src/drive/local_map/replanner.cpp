@@ -17,8 +17,8 @@ constexpr double kWorthTurningMetres = 0.3;
 constexpr double kLookedAt = 15.0;
 
 constexpr int kClosedLooks = 3;     ///< looks around that must agree that there is no path
-constexpr int kMostForgotten = 4;   ///< then the robot must come this much nearer to the goal
-constexpr double kForgiving = 1.0;  // m
+constexpr int kMostForgotten = 4;   ///< times that the memory may be wrong
+constexpr double kForgiving = 1.0;  ///< m that the robot must come nearer to the goal until that is forgiven
 /// Tolerances within which a goal is near.
 constexpr double kNearGoalTolerances = 2.0;
 
@@ -66,8 +66,9 @@ void Replanner::start() {
   route_.points.clear();
   looking_ = false;
   closed_in_a_row_ = 0;
-  forgiven_at_ = std::numeric_limits<double>::infinity();
-  noteProgress(forgiven_at_);
+  relaxClearance(false);
+  forgotten_ = 0;
+  forgiven_at_.reset();
 }
 
 void Replanner::moveGoal(const Point2& from, const Point2& to) {
@@ -76,12 +77,17 @@ void Replanner::moveGoal(const Point2& from, const Point2& to) {
   route_.length = lengthOf(route_.points);
 }
 
-void Replanner::noteProgress(double distance) {
-  clearance_is_relaxed_ = false;
-  memory_.relaxClearance(false);
-  if (distance > forgiven_at_ - kForgiving) return;
-  forgiven_at_ = distance;
+void Replanner::noteProgress(const Point2& here, const Point2& goal) {
+  relaxClearance(false);
+  // The goal may have moved since then.
+  if (forgiven_at_ && distanceBetween(here, goal) > distanceBetween(*forgiven_at_, goal) - kForgiving) return;
+  forgiven_at_ = here;
   forgotten_ = 0;
+}
+
+void Replanner::relaxClearance(bool relaxed) {
+  clearance_is_relaxed_ = relaxed;
+  memory_.relaxClearance(relaxed);
 }
 
 void Replanner::forget() {
@@ -164,8 +170,7 @@ Replanner::Answer Replanner::lookAround(const Situation& situation) {
     return Answer::kLookAround;
   }
   if (looking_ && !clearance_is_relaxed_) {
-    clearance_is_relaxed_ = true;
-    memory_.relaxClearance(true);
+    relaxClearance(true);
     return Answer::kLookAround;
   }
   if (looking_ && ++closed_in_a_row_ >= kClosedLooks) {

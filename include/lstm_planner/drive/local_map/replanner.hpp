@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -40,10 +41,10 @@ class Replanner {
   /// LocalMap::know()
   void know(std::vector<Point2> obstacles) { memory_.know(std::move(obstacles)); }
 
-  /// The robot came nearer to the goal than ever, to `distance` (m): what went wrong before is forgiven, if it is
-  /// nearer by a metre than when that was done last. On the way around an obstacle that holds the goal it is only a
-  /// little nearer.
-  void noteProgress(double distance);
+  /// The robot is nearer to the goal than ever. Clearances are whole again. How often the memory was wrong is forgiven
+  /// only if it is nearer by a metre than where that was forgiven last: on the way around a closed obstacle with the
+  /// goal in it, the robot comes a little nearer again and again.
+  void noteProgress(const Point2& here, const Point2& goal);
 
   /// Takes in the situation and searches a path; one that is hardly better than the last one is not taken. `tolerance`:
   /// how near (m) to a goal in or behind an obstacle the route may end.
@@ -94,6 +95,7 @@ class Replanner {
   bool isWorthKeeping() const;
   double costOf(const Route& route) const;
   Answer lookAround(const Situation& situation);
+  void relaxClearance(bool relaxed);
 
   LocalMap memory_;
   RouteFinder finder_;
@@ -105,8 +107,8 @@ class Replanner {
   FullTurn turn_;                      ///< while looking
   bool clearance_is_relaxed_ = false;  ///< no path was found otherwise
   int closed_in_a_row_ = 0;
-  int forgotten_ = 0;         ///< times since that was forgiven
-  double forgiven_at_ = 0.0;  ///< m to the goal where it was
+  int forgotten_ = 0;                  ///< times that the memory was wrong and that are not forgiven
+  std::optional<Point2> forgiven_at_;  ///< where the robot was then; empty before the first time
 };
 
 }  // namespace lstm_planner

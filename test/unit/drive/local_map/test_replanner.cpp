@@ -174,21 +174,40 @@ TEST_F(ReplannerTest, AMetreOfProgressForgivesWhatWentWrong) {
     ASSERT_EQ(update(returnsAt(around)), Answer::kLookAround) << time;
     guide_.forget();
     ASSERT_EQ(turn(), Answer::kRoute) << time;
-    guide_.noteProgress(30.0 - time);
+    guide_.noteProgress({time - 30.0, 0.0}, {});
   }
 }
 
 TEST_F(ReplannerTest, ALittleProgressForgivesNothing) {
   const std::vector<Point2> around = test::ring(0.8);
   start({8.0, 0.0});
-  guide_.noteProgress(8.0);
+  guide_.noteProgress({-8.0, 0.0}, {});
   for (int time = 0; time < 4; ++time) {
     ASSERT_EQ(update(returnsAt(around)), Answer::kLookAround) << time;
     guide_.forget();
     ASSERT_EQ(turn(), Answer::kRoute) << time;
-    guide_.noteProgress(7.7 - 0.2 * time);
+    guide_.noteProgress({-7.7 + 0.2 * time, 0.0}, {});
   }
   EXPECT_EQ(update(returnsAt(around)), Answer::kLost);
+}
+
+TEST_F(ReplannerTest, ProgressIsThatToTheGoalWhereItLiesNow) {
+  const std::vector<Point2> around = test::ring(0.8);
+  const auto answerAfter = [&](const Point2& goal) {
+    start({8.0, 0.0});
+    guide_.noteProgress({}, {8.0, 0.0});
+    for (int time = 0; time < 4; ++time) {
+      EXPECT_EQ(update(returnsAt(around)), Answer::kLookAround) << time;
+      guide_.forget();
+      EXPECT_EQ(turn(), Answer::kRoute) << time;
+    }
+    guide_.noteProgress({1.0, 0.0}, goal);
+    const Answer answer = update(returnsAt(around));
+    guide_.forget();
+    return answer;
+  };
+  EXPECT_EQ(answerAfter({10.0, 0.0}), Answer::kLookAround) << "it lies farther away now, and the robot came a metre";
+  EXPECT_EQ(answerAfter({0.5, 0.0}), Answer::kLost) << "it lies nearer now, and the robot came no nearer";
 }
 
 TEST_F(ReplannerTest, ANewGoalIsFoundThroughWhatWasSeenBefore) {
