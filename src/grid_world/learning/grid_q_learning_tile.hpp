@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 #include "grid_world/agent/grid_walk.hpp"
+#include "lstm_planner/common/random.hpp"
 #include "lstm_planner/grid_world/agent/grid_agent.hpp"
 #include "lstm_planner/grid_world/learning/grid_course.hpp"
 #include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
@@ -11,13 +13,13 @@
 
 namespace lstm_planner {
 
-// Of the reward, cells.
-constexpr double kStepCost = 0.2;
-constexpr double kArrivalBonus = 10.0;
-
 /// One agent that learns: walks through one episode after the other.
 class GridActor {
  public:
+  // Of the reward, cells.
+  static constexpr double kStepCost = 0.2;
+  static constexpr double kArrivalBonus = 10.0;
+
   /// Of a step.
   struct Outcome {
     double reward = 0.0;
@@ -53,9 +55,6 @@ class GridActor {
   double walked_ = 0.0;  ///< cells
 };
 
-/// An output of the network times this is a value, cells.
-constexpr double kValueScale = 20.0;
-
 /// What is added up over the steps of a window.
 struct QSums {
   double steps = 0.0;
@@ -64,7 +63,7 @@ struct QSums {
   double reward = 0.0;
   double ended = 0.0;    ///< episodes
   double arrived = 0.0;  ///< of these
-  double ratio = 0.0;    ///< of the episodes that arrived
+  double ratio = 0.0;    ///< length / optimum of the episodes that arrived
 };
 std::vector<double*> numbersOf(QSums* sums);
 
@@ -72,6 +71,7 @@ std::vector<double*> numbersOf(QSums* sums);
 class QTile {
  public:
   static constexpr int kActors = 64;  ///< each in a lane of the network; the rows of a step stay in the first cache
+  static constexpr double kValueScale = 20.0;  ///< an output of the network times this is a value, cells
 
   /// New agents. `parameters` and `course` must outlive the tile.
   QTile(const GridQLearningParameters& parameters, const LayerStack& layers, const GridCourse& course, Random* seeds);

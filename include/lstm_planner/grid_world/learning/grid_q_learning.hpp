@@ -17,8 +17,8 @@ namespace lstm_planner {
 /// reinforcement learning", ICML 2016), and the hidden state in which a window starts is the one that today's network
 /// has there, where a replayed window would need one that an older network left.
 ///
-/// A step is rewarded for how much shorter the true shortest path to the goal has become, less a cost. Lengths are in
-/// cells, and an update is made after `window` steps of each agent.
+/// The reward of a step is how much shorter the true shortest path to the goal has become, less a cost; an arrival has
+/// a bonus. Lengths are in cells, and an update is made after `window` steps of each agent.
 struct GridQLearningParameters : QLearningParameters {
   GridCourseParameters course;
   int updates = 20000;  ///< of the weights, over all epochs

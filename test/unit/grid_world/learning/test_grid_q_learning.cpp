@@ -86,7 +86,7 @@ TEST(QTile, GradientIsTheDerivativeOfTheSquaredErrors) {
     return tileOn(parameters, course).run(moved, target_weights, kRandomMoves).squared_error;
   };
   // An error of half a squared value is the squared error of the output times the scale's square.
-  const double unit = 2.0 * kValueScale * kValueScale;
+  const double unit = 2.0 * QTile::kValueScale * QTile::kValueScale;
   const float change = 1e-3f;
   for (Eigen::Index index = 0; index < weights.size(); index += 7) {
     const double numeric = (errorAt(index, change) - errorAt(index, -change)) / (2.0 * static_cast<double>(change));
@@ -192,8 +192,8 @@ TEST(GridQLearning, GoesOnFromACheckpointAsIfItHadNotStopped) {
 
 /// Reward of the steps to within one cell of a goal that lies `distance` cells away in a corridor.
 double corridorValue(double discount, int distance) {
-  double value = kArrivalBonus + 1.0 - kStepCost;
-  for (int left = distance - 2; left > 0; --left) value = 1.0 - kStepCost + discount * value;
+  double value = GridActor::kArrivalBonus + 1.0 - GridActor::kStepCost;
+  for (int left = distance - 2; left > 0; --left) value = 1.0 - GridActor::kStepCost + discount * value;
   return value;
 }
 
@@ -211,9 +211,9 @@ TEST(GridQLearning, FindsTheValuesOfACorridor) {
   Eigen::VectorXf input(kGridInputs);
   for (int cell = 0; cell <= 9; ++cell) {
     encodeGrid({{cell, 0}, {11, 0}, senseRanges(corridor, {cell, 0})}, kNoPath, input.data(), 1);
-    const double value = kValueScale * static_cast<double>(network.forward(input)[0]);
+    const double value = QTile::kValueScale * static_cast<double>(network.forward(input)[0]);
     // Nearer than what one step earns.
-    EXPECT_NEAR(value, corridorValue(parameters.discount, 11 - cell), 1.0 - kStepCost) << cell;
+    EXPECT_NEAR(value, corridorValue(parameters.discount, 11 - cell), 1.0 - GridActor::kStepCost) << cell;
   }
 }
 
