@@ -100,8 +100,7 @@ GridCourse::GridCourse(const GridCourseParameters& parameters, const std::vector
     : parameters_(parameters), random_(seed) {
   validate(parameters);
   if (sets.empty()) throw std::invalid_argument("there are no training maps, expected at least one");
-  const double each = 1.0 / static_cast<double>(sets.size());
-  const int goals = std::max(1, static_cast<int>(each * parameters.goals));
+  const int goals = std::max(1, parameters.goals / static_cast<int>(sets.size()));
   for (const Set& set : sets) {
     if (set.empty()) throw std::invalid_argument("a set of training maps is empty, expected at least one map");
     CourseSet course;
@@ -146,14 +145,9 @@ std::shared_ptr<const CourseGoal> GridCourse::makeGoal(const CourseSet& set, Ran
   throw std::invalid_argument("no path of the wanted length was found on the training maps");
 }
 
+/// One draw of `random`, also where there is one set only, which uniformIndex() does not promise.
 std::size_t GridCourse::drawSet(Random& random) const {
-  const double each = 1.0 / static_cast<double>(sets_.size());
-  double share = uniform(random);
-  for (std::size_t set = 0; set < sets_.size(); ++set) {
-    if (share < each) return set;
-    share -= each;
-  }
-  return sets_.size() - 1;
+  return static_cast<std::size_t>(uniform(random) * static_cast<double>(sets_.size()));
 }
 
 std::size_t GridCourse::drawBucket(Random& random) const {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include "lstm_planner/grid_world/learning/grid_course.hpp"
 
@@ -118,9 +119,10 @@ TEST(GridCourse, RenewsItsGoalsWithoutPullingThemAwayFromRunningEpisodes) {
   EXPECT_EQ(episode.goal->distances.at(goal), 0.0f);
 }
 
-TEST(GridCourse, RefusesMapsWithoutAPathOfTheWantedLength) {
+TEST(GridCourse, RefusesSetsWithoutMapsAndMapsWithoutAPathOfTheWantedLength) {
   EXPECT_THROW(GridCourse(parametersFor(10, 50, 0.0), {{PassableGrid(5, 5, true)}}, 1, 1), std::invalid_argument);
   EXPECT_THROW(GridCourse(parametersFor(10, 50, 0.0), {}, 1, 1), std::invalid_argument);
+  EXPECT_THROW(GridCourse(parametersFor(10, 50, 0.0), std::vector<GridCourse::Set>(1), 1, 1), std::invalid_argument);
   EXPECT_THROW(GridCourse(parametersFor(10, 5, 0.0), twoSets(), 1, 1), std::invalid_argument);
 }
 
