@@ -99,7 +99,8 @@ void checkKnowsMap(const DriveOptions& options) {
   }
 }
 
-/// Throws UnusableScan if the planner would refuse each scan, also of an open field: the robot would stand in silence.
+/// Throws UnusableScan if the planner would refuse every scan, even that of an open field: the robot would stand until
+/// the time limit, and nothing would say why.
 void checkView(const HokuyoParameters& scanner) {
   const std::vector<float> ranges(static_cast<std::size_t>(scanner.beams), std::numeric_limits<float>::infinity());
   averageSectors({0.0, scanner.angle_min, scanner.angle_increment, scanner.range_min, scanner.range_max, ranges},

@@ -2,7 +2,6 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <map>
@@ -231,6 +230,7 @@ void readRobotFile(const std::string& name, DriveParameters* drive, AgentParamet
   GlobalPlannerParameters planner;
   planner.agent = *agent;
   planner.rollout = drive->rollout;
+  planner.model = *model;
   GroupReader planner_group(path, values, "LstmGlobalPlanner");
   visitGlobalPlannerParameters(planner, planner_group.visitor());
   planner_group.refuseUnknown();
