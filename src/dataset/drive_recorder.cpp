@@ -48,7 +48,8 @@ void DriveRecorder::add(DriveEvent event) {
     for (std::size_t i = 0; i < waiting_.size(); ++i) {
       reject(Rejection::kNoOdometry, "the stamps jump from " + std::to_string(newest_) + " s to " +
                                          std::to_string(stamp) +
-                                         " s: scanner and odometry have different clocks, or the clock was set");
+                                         " s: scanner and odometry have different clocks, the clock was set, or "
+                                         "nothing was heard in between");
     }
     waiting_.clear();
     last_sample_.reset();
