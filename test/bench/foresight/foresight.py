@@ -11,6 +11,7 @@ of the path; also where the detours that are known before must stay within a bou
     foresight.py --learn offices.bin rooms.bin --judge building.bin     all drives of the file are judged
 """
 import argparse
+import copy
 
 import numpy as np
 
@@ -45,13 +46,18 @@ class Steps:
         self.possible[at, way] = True
         self.drive = keys >> 20
         self.world = self.drive // goals
-        self.choose(self.possible[:, ON_PATH])
-
-    def choose(self, which):
-        for name in ("inputs", "truth", "possible", "drive", "world"):
-            setattr(self, name, getattr(self, name)[which])
         self.regret = np.clip(self.inputs[:, :, self.names.index("regret")], 0, MOST)
-        return self
+        self.keep(self.possible[:, ON_PATH])
+
+    def keep(self, which):
+        for name in ("inputs", "truth", "possible", "drive", "world", "regret"):
+            setattr(self, name, getattr(self, name)[which])
+
+    def only(self, which):
+        """Some of the steps: `which` is true for them."""
+        steps = copy.copy(self)
+        steps.keep(which)
+        return steps
 
 
 class Trees:
@@ -155,18 +161,20 @@ def main():
     parser.add_argument("--network", action="store_true", help="a small network learns in place of trees")
     options = parser.parse_args()
     learner = Network if options.network else Trees
-    load = lambda name: Steps(name, options.goals)
-    judged = load(options.judge)
+    judged = Steps(options.judge, options.goals)
     cost = judged.regret.copy()
     if options.learn:
-        cost += learner([load(name) for name in options.learn]).surprise(judged)
+        cost += learner([Steps(name, options.goals) for name in options.learn]).surprise(judged)
+    elif len(np.unique(judged.world)) < FOLDS:
+        parser.error(f"{options.judge} has drives in fewer than {FOLDS} worlds, expected files to learn from (--learn)")
     else:
         for fold in range(FOLDS):
             mine = judged.world % FOLDS == fold
-            cost[mine] += learner([load(options.judge).choose(~mine)]).surprise(load(options.judge).choose(mine))
+            cost[mine] += learner([judged.only(~mine)]).surprise(judged.only(mine))
     for allowance, share in BOUNDS:
         mean, low, high = interval(judged.drive, saved(judged, cost, (allowance, share)))
-        print(f"detours of at most {allowance} m and {share} of the path: saves {mean:.1f} % [{low:.1f}, {high:.1f}] of the path")
+        bound = "without a bound" if allowance == np.inf else f"detours of at most {allowance} m + {share} of the path"
+        print(f"{bound}: saves {mean:.1f} % [{low:.1f}, {high:.1f}] of the path")
     mean, low, high = interval(judged.drive, saved(judged, judged.truth, (np.inf, 0.0)))
     print(f"with the true costs: {mean:.1f} % [{low:.1f}, {high:.1f}]")
 
