@@ -323,6 +323,8 @@ const Fault kFaults[] = {
      "the robot stands: the scanner counts as covered"},
     {"ScannerCoveredInItsOtherCode", scans([](auto* scan) { setAll(scan, 0.0F); }),
      "the robot stands: the scanner counts as covered"},
+    {"ScannerThatFailsWithInfinity", scans([](auto* scan) { setAll(scan, kInf); }),
+     "the robot stands: the scanner counts as covered"},
     {"ScansStuck", scans([](auto* scan) { scan->header.stamp = kBeginning; }),
      "the robot stands: the newest message on /scan is * s old, allowed are scan_timeout = "},
     {"ScansOfTheFuture", scans([](auto* scan) { scan->header.stamp += ros::Duration(60.0); }),

@@ -13,7 +13,6 @@ BeamSum sumOfBeams(const float* ranges, std::size_t count, double cap) {
     const bool is_silent = range == RangeProfile::kSilent;
     if (!is_silent && !(range > 0.0f)) return;
     ++sum.known;
-    sum.silent += is_silent ? 1 : 0;
     sum.measured += !is_silent && std::isfinite(range) ? 1 : 0;
     sum.range += is_silent ? cap : std::min<double>(range, cap);
     if (!is_silent) sum.nearest = std::min(sum.nearest, range);

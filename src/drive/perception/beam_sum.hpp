@@ -11,7 +11,6 @@ struct BeamSum {
   float nearest = std::numeric_limits<float>::infinity();  ///< m; +inf where nothing is measured
   int measured = 0;                                        ///< with a range
   int known = 0;                                           ///< with a range, or seeing nothing
-  int silent = 0;  ///< of the known ones those whose driver may mean that nothing could be measured
 };
 
 /// Of `count` neighbouring beams of a RangeProfile. `cap`: m.

@@ -26,7 +26,7 @@ bool SilenceWatch::isComparable(double time, const Pose2& pose) const {
 }
 
 void SilenceWatch::show(const LaserScan& scan, const ScanRules& rules, double time, const Pose2& pose) {
-  if (scan.ranges.empty()) return;  // nothing can be said of it
+  if (scan.ranges.empty() || !(scan.range_min < scan.range_max)) return;  // nothing can be said of it
   RangeProfile profile;
   toProfile(scan, {}, rules, &profile);
   const BeamSum returns = sumOfBeams(profile.ranges.data(), profile.ranges.size(), 1.0);
@@ -35,7 +35,7 @@ void SilenceWatch::show(const LaserScan& scan, const ScanRules& rules, double ti
     share_ = returns.measured / beams;
     is_covered_ = false;
   } else if (!is_covered_) {
-    is_covered_ = share_ >= kMuch && returns.silent >= kMostlySilent * beams && isComparable(time, pose);
+    is_covered_ = share_ >= kMuch && returns.known >= kMostlySilent * beams && isComparable(time, pose);
     if (!is_covered_) share_ = 0.0;
   }
   time_ = time;

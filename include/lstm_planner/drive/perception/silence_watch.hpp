@@ -7,9 +7,9 @@
 
 namespace lstm_planner {
 
-/// Notices a lens that is covered, for drivers that send NaN, zero or too short readings both for "nothing within
-/// range" and for a cover (ScanRules): one scan sees much, and the next has such readings only. The
-/// scanner then counts as covered until it sees something again. To drive or turn into an open field looks different,
+/// Notices a lens that is covered or a scanner that fails, since drivers send the same reading for it as for "nothing
+/// within range", be it +inf or another one (ScanRules): one scan sees much, and the next nothing. The scanner then
+/// counts as covered until it sees something again. To drive or turn into an open field looks different,
 /// since returns go a few at a time. A scanner that was covered before the first scan is not noticed.
 class SilenceWatch {
  public:

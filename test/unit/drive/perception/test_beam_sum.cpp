@@ -15,7 +15,7 @@ TEST(SumOfBeams, OfNothingIsNothing) {
   const BeamSum sum = sumOfBeams(nullptr, 0, 6.0);
   EXPECT_EQ(sum.range, 0.0);
   EXPECT_EQ(sum.nearest, kInf);
-  EXPECT_EQ(sum.known + sum.measured + sum.silent, 0);
+  EXPECT_EQ(sum.known + sum.measured, 0);
 }
 
 TEST(SumOfBeams, AddsUpWhatIsKnown) {
@@ -26,7 +26,6 @@ TEST(SumOfBeams, AddsUpWhatIsKnown) {
   EXPECT_EQ(sum.nearest, 2.5f);
   EXPECT_EQ(sum.measured, 2);
   EXPECT_EQ(sum.known, 4);
-  EXPECT_EQ(sum.silent, 1);
 }
 
 TEST(SumOfBeams, CapsWithACapThatNoFloatIs) {

@@ -42,9 +42,11 @@ TEST_F(SilenceWatchTest, AnOpenFieldFromTheBeginningIsNoCover) {
   for (int i = 0; i < 10; ++i) EXPECT_FALSE(isCoveredAfter(nan_));
 }
 
-TEST_F(SilenceWatchTest, InfinityIsAMeasurement) {
+TEST_F(SilenceWatchTest, AScannerThatFailsIsNoticedWhereItsDriverSendsInfinity) {
+  rules_ = ScanRules();
   EXPECT_FALSE(isCoveredAfter(3.0f));
-  EXPECT_FALSE(isCoveredAfter(std::numeric_limits<float>::infinity()));
+  EXPECT_TRUE(isCoveredAfter(std::numeric_limits<float>::infinity()));
+  EXPECT_FALSE(isCoveredAfter(3.0f));
 }
 
 TEST_F(SilenceWatchTest, ReadingsThatAreNoReturnsByNoRuleAreLeftToTheCheckOfTheScan) {
@@ -56,6 +58,14 @@ TEST_F(SilenceWatchTest, ReadingsThatAreNoReturnsByNoRuleAreLeftToTheCheckOfTheS
 TEST_F(SilenceWatchTest, AScanWithoutBeamsIsLeftToTheCheckOfTheScan) {
   EXPECT_FALSE(isCoveredAfter(3.0f));
   watch_.show(LaserScan(), rules_, time_ + kPeriod, pose_);
+  EXPECT_FALSE(watch_.isCovered());
+}
+
+TEST_F(SilenceWatchTest, AScannerWithoutReachIsLeftToTheCheckOfTheScan) {
+  EXPECT_FALSE(isCoveredAfter(3.0f));
+  LaserScan scan = makeHokuyoScan(3.0f);
+  scan.range_max = 0.0;  // so all readings are beyond it
+  watch_.show(scan, rules_, time_ + kPeriod, pose_);
   EXPECT_FALSE(watch_.isCovered());
 }
 
