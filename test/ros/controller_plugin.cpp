@@ -257,6 +257,22 @@ TEST_F(ControllerTest, SaysThatAnObstacleStopsIt) {
   EXPECT_EQ(listener.latched().level, diagnostic_msgs::DiagnosticStatus::WARN);
 }
 
+TEST_F(ControllerTest, SaysThatTheRobotDoesNotDoWhatItIsTold) {
+  DiagnosticsListener listener("SteeringController");
+  const std::string reason = "the robot stands: it does not do what it is told";
+  EXPECT_TRUE(eventually([&] {
+    robot_.again();
+    controller_->setPlan(straightPlan("odom", robot_.pose(), 3.0));
+    controller_->computeVelocityCommands(velocity_);
+    return listener.latched().message == reason && log_.count(reason + ": for ") > 0;
+  }));
+  EXPECT_EQ(listener.latched().level, diagnostic_msgs::DiagnosticStatus::WARN);
+  EXPECT_TRUE(eventually([&] {
+    computeAt({robot_.pose().x + 0.03, robot_.pose().y, robot_.pose().yaw});
+    return listener.latched().message == "it drives";
+  }));
+}
+
 TEST_F(ControllerTest, YieldsToAPersonWhereScansHaveNoStamps) {
   DiagnosticsListener listener("SteeringController");
   double person = 3.0;  // m from the scanner to the middle of somebody straight ahead

@@ -168,6 +168,8 @@ const char* toString(StopReason reason) {
       return "it yields to somebody who moves, or has just moved";
     case StopReason::kStuck:
       return "it has not got away from this place for longer than patience";
+    case StopReason::kIdle:
+      return "it does not do what it is told";
     case StopReason::kOldPlan:
       return "the plan is too old";
     case StopReason::kUnusableData:

@@ -1,5 +1,6 @@
 #include "ros/controller/plan_follower.hpp"
 
+#include <ros/node_handle.h>
 #include <ros/time.h>
 
 #include <algorithm>
@@ -88,7 +89,18 @@ MotionCommand PlanFollower::compute() {
   const double period = 1.0 / parameters_.controller_frequency;
   tracker_.expectReactionTime(reading.scan_period, period);
   speed_ = std::abs(reading.twist.linear);
-  return tracker_.compute(odometry_plan, seen_, reading.twist, shield_, period);
+  MotionCommand command = tracker_.compute(odometry_plan, seen_, reading.twist, shield_, period);
+  idle_.note(reading.newest_pose, now.toSec(), {command.linear, command.angular});
+  if (command.stop == StopReason::kNone && idle_.idle() > 0.0) command.stop = StopReason::kIdle;
+  return command;
+}
+
+std::string PlanFollower::whyIdle() const {
+  if (idle_.idle() == 0.0) return "";
+  char text[300];
+  std::snprintf(text, sizeof(text), "for %.0f s the commands on %s were to move, and by the odometry on %s it did not",
+                idle_.idle(), ros::NodeHandle().resolveName("cmd_vel").c_str(), parameters_.sensors.odom_topic.c_str());
+  return text;
 }
 
 std::string PlanFollower::whatBlocks(const std::string& why) const {

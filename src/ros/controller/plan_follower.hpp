@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lstm_planner/drive/collision/shield.hpp"
+#include "lstm_planner/drive/motion/idle_watch.hpp"
 #include "lstm_planner/drive/motion/path_tracker.hpp"
 #include "lstm_planner/drive/perception/out_of_view.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
@@ -56,6 +57,8 @@ class PlanFollower {
   /// `why`, and what more is known of it: returns inside the footprint, or the distance of an obstacle of the costmap
   /// that the scan does not show, if it is the nearest one.
   std::string whatBlocks(const std::string& why) const;
+  /// How long it has been told to move, and does not; empty where it does.
+  std::string whyIdle() const;
   /// Measured at the last command, m/s, 0 or more.
   double speed() const { return speed_; }
 
@@ -71,6 +74,7 @@ class PlanFollower {
   SensorListener sensors_;
   CostmapReader costmap_;
   PathTracker tracker_;
+  IdleWatch idle_;
   Shield shield_;
   OutOfView out_of_view_;      ///< of a robot with corners
   std::vector<Point2> known_;  ///< returns of this scan and of earlier ones, base frame, m

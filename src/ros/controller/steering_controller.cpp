@@ -97,7 +97,9 @@ bool SteeringController::follow(geometry_msgs::Twist* cmd_vel) {
   try {
     const MotionCommand command = plan_follower_->compute();
     if (command.stop == StopReason::kStuck) {
-      return stand(StopReason::kStuck, plan_follower_->whatBlocks(toString(StopReason::kStuck)));
+      const std::string idle = plan_follower_->whyIdle();
+      return stand(StopReason::kStuck,
+                   plan_follower_->whatBlocks(toString(StopReason::kStuck)) + (idle.empty() ? "" : "; " + idle));
     }
     noteStop(command);
     cmd_vel->linear.x = command.linear;
@@ -119,12 +121,12 @@ bool SteeringController::stand(StopReason reason, const std::string& why) {
 void SteeringController::noteStop(const MotionCommand& command) {
   answer_.command = command;
   answer_.why.clear();
-  if (command.stop != StopReason::kObstacle && command.stop != StopReason::kPerson) {
+  if (command.stop == StopReason::kNone || command.stop == StopReason::kArrived) {
     answer_.stopped_since = ros::WallTime();
   } else if (answer_.stopped_since.isZero()) {
     answer_.stopped_since = answer_.time;
   } else if ((answer_.time - answer_.stopped_since).toSec() > kShortStop) {
-    answer_.why = plan_follower_->whatBlocks("");
+    answer_.why = command.stop == StopReason::kIdle ? plan_follower_->whyIdle() : plan_follower_->whatBlocks("");
     const std::string reason = toString(command.stop) + (answer_.why.empty() ? "" : ": " + answer_.why);
     ROS_WARN_THROTTLE(kLogPeriod, "the robot stands: %s", reason.c_str());
   }
