@@ -11,9 +11,11 @@ import xmlrpc.client
 
 import actionlib
 import rosgraph
+import roslib.packages
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
+from geometry_msgs.msg import Twist
 from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
 from nav_msgs.msg import Odometry
 from std_msgs.msg import UInt32
@@ -120,6 +122,22 @@ class Restarts(unittest.TestCase):
         self.planner.wait(PATIENCE)
         type(self).planner = launch("includes/move_base.launch")
         self.assert_reached(self.drive())
+
+    def test_a_planner_that_is_ended_stops_the_robot_and_tells_the_client(self):
+        if not roslib.packages.find_node("lstm_planner", "standalone_move_base"):
+            self.skipTest("the navigation stack's move_base does neither")
+        speeds = []
+        subscriber = rospy.Subscriber("cmd_vel", Twist, lambda command: speeds.append(command.linear.x))
+        self.addCleanup(subscriber.unregister)
+        ways = {"rosnode kill": lambda host: host.shutdown("/restarts", "the test ends it"),
+                "a signal": lambda host: os.kill(host.getPid("/restarts")[2], signal.SIGTERM)}
+        for way, kill in ways.items():
+            client = self.drive()
+            kill(xmlrpc.client.ServerProxy(rosgraph.Master("/restarts").lookupNode("/move_base")))
+            self.planner.wait(PATIENCE)
+            self.assertTrue(eventually(lambda: speeds and speeds[-1] == 0.0), way)
+            self.assertTrue(eventually(lambda: client.get_state() == GoalStatus.ABORTED), way)
+            type(self).planner = launch("includes/move_base.launch")
 
     def test_without_the_master_it_drives_on_and_restarted_nodes_find_a_new_one(self):
         client = self.drive()

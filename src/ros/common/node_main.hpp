@@ -1,6 +1,7 @@
 #pragma once
 
 #include <ros/ros.h>
+#include <ros/xmlrpc_manager.h>
 
 #include <csignal>
 #include <exception>
@@ -25,12 +26,20 @@ int runNode(int argc, char** argv, const char* name, const Run& run, unsigned op
 }
 
 /// The same for a node that has something to finish, which ROS's own handler of signals would leave no time for: calls
-/// run(private node handle, stop). SIGINT, SIGTERM and SIGHUP set `stop`.
+/// run(private node handle, stop). SIGINT, SIGTERM, SIGHUP and `rosnode kill` set `stop`.
 template <typename Run>
 int runUntilStopped(int argc, char** argv, const char* name, const Run& run) {
   static volatile std::sig_atomic_t stop = 0;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { stop = 1; });
-  const auto run_until_stopped = [&run](const ros::NodeHandle& node) { return run(node, stop); };
+  const auto run_until_stopped = [&run](const ros::NodeHandle& node) {
+    const auto stop_by_call = [](XmlRpc::XmlRpcValue&, XmlRpc::XmlRpcValue& answer) {
+      stop = 1;
+      answer = ros::xmlrpc::responseInt(1, "", 0);
+    };
+    ros::XMLRPCManager::instance()->unbind("shutdown");
+    ros::XMLRPCManager::instance()->bind("shutdown", stop_by_call);
+    return run(node, stop);
+  };
   return runNode(argc, argv, name, run_until_stopped, ros::init_options::NoSigintHandler);
 }
 

@@ -3,6 +3,7 @@
 #include <move_base_msgs/MoveBaseAction.h>
 #include <move_base_msgs/MoveBaseActionGoal.h>
 #include <nav_msgs/GetPlan.h>
+#include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/ros.h>
 #include <tf2/LinearMath/Matrix3x3.h>
@@ -25,7 +26,7 @@
 #include "lstm_planner/ros/common/parameter_reader.hpp"
 #include "lstm_planner/ros/common/transform_listener.hpp"
 #include "lstm_planner/ros/move_base/standalone_move_base_parameters.hpp"
-#include "ros/common/clock_watch.hpp"
+#include "ros/common/node_main.hpp"
 #include "ros/common/timing.hpp"
 #include "ros/move_base/standalone_move_base_planner_thread.hpp"
 #include "ros/move_base/standalone_move_base_plugins.hpp"
@@ -140,7 +141,7 @@ class StandaloneMoveBase {
   /// cannot be loaded.
   explicit StandaloneMoveBase(tf2_ros::Buffer& tf);
 
-  /// Ends an active goal; safe before and after ros::shutdown().
+  /// Ends an active goal, stops the robot, and shuts ROS down; safe after ros::shutdown(), too.
   ~StandaloneMoveBase();
 
  private:
@@ -217,9 +218,17 @@ StandaloneMoveBase::StandaloneMoveBase(tf2_ros::Buffer& tf)
 }
 
 StandaloneMoveBase::~StandaloneMoveBase() {
-  finished_ = true;
+  const ros::WallDuration moment(0.1);
   simple_goal_subscriber_.shutdown();
   plan_service_.shutdown();
+  const bool drives = server_.isActive();
+  finished_ = true;
+  if (drives && ros::ok()) {
+    moment.sleep();  // until no more commands come
+    stopRobot();
+    moment.sleep();  // so that the message still leaves
+  }
+  ros::shutdown();  // the action's thread would sleep on where the clock stands
   server_.shutdown();
 }
 
@@ -431,17 +440,16 @@ bool StandaloneMoveBase::planWithinTolerance(const geometry_msgs::PoseStamped& s
 }  // namespace lstm_planner
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "move_base");
-  const ros::NodeHandle node_handle;  // out here, since nothing is logged any more when the last one has gone
-  const lstm_planner::ClockWatch clock_watch;
-  try {
-    tf2_ros::Buffer transforms;
-    const lstm_planner::TransformListener listener(&transforms);
-    lstm_planner::StandaloneMoveBase move_base(transforms);
-    ros::spin();
-  } catch (const std::exception& exception) {
-    ROS_FATAL("standalone_move_base: %s", exception.what());
-    return 1;
-  }
-  return 0;
+  return lstm_planner::runUntilStopped(argc, argv, "move_base", [](const ros::NodeHandle& /*node*/, const auto& stop) {
+    try {
+      tf2_ros::Buffer transforms;
+      const lstm_planner::TransformListener listener(&transforms);
+      lstm_planner::StandaloneMoveBase move_base(transforms);
+      while (ros::ok() && stop == 0) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
+    } catch (const std::exception& exception) {
+      ROS_FATAL("standalone_move_base: %s", exception.what());
+      return 1;
+    }
+    return 0;
+  });
 }
