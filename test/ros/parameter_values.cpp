@@ -208,6 +208,8 @@ TEST(ParameterValues, OfAnotherKindAreRefusedWithNameValueAndWhatWasExpected) {
   EXPECT_EQ(refusalOf<double>(node, "0.3 m/s"), name + "0.3 m/s, expected a number");
   EXPECT_EQ(refusalOf<int>(node, 2.5), name + "2.5, expected a whole number");
   EXPECT_EQ(refusalOf<bool>(node, "maybe"), name + "maybe, expected true or false");
+  EXPECT_EQ(refusalOf<std::vector<NamedPose>>(node, "[[1, 2]]"),
+            name + "[[1, 2]], expected a list of poses, set by a yaml or rosparam: behind _parameter:= it is a text");
   EXPECT_EQ(refusalOf<std::string>(node, true), name + "1, expected a text, a number or a list of them");
 }
 

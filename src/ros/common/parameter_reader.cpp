@@ -115,7 +115,10 @@ void ParameterReader::read(const std::string& name, std::vector<NamedPose>* pose
   if (!isSet(name)) return;
   XmlRpcValue list;
   if (!node_handle_.getParam(name, list) || list.getType() != XmlRpcValue::TypeArray) {
-    throw std::invalid_argument("parameter " + node_handle_.resolveName(name) + " is not a list");
+    std::ostringstream text;
+    text << "parameter " << node_handle_.resolveName(name) << " is " << list
+         << ", expected a list of poses, set by a yaml or rosparam: behind _" << name << ":= it is a text";
+    throw std::invalid_argument(text.str());
   }
   poses->clear();
   for (int i = 0; i < list.size(); ++i) poses->push_back(namedPoseFromParameter(list[i], name, i));
