@@ -32,7 +32,9 @@ int runUntilStopped(int argc, char** argv, const char* name, const Run& run) {
   static volatile std::sig_atomic_t stop = 0;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { stop = 1; });
   const auto run_until_stopped = [&run](const ros::NodeHandle& node) {
-    const auto stop_by_call = [](XmlRpc::XmlRpcValue&, XmlRpc::XmlRpcValue& answer) {
+    const auto stop_by_call = [](XmlRpc::XmlRpcValue& call, XmlRpc::XmlRpcValue& answer) {
+      const bool has_reason = call.getType() == XmlRpc::XmlRpcValue::TypeArray && call.size() > 1;
+      if (has_reason) ROS_WARN_STREAM("stopped from outside: " << call[1]);
       stop = 1;
       answer = ros::xmlrpc::responseInt(1, "", 0);
     };

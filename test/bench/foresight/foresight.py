@@ -133,13 +133,13 @@ def saved(steps, cost, bound):
     for i, costs in enumerate(cost):
         if i == 0 or steps.drive[i] != steps.drive[i - 1]:
             used = driven = 0.0
-        driven += STEP
         regret = steps.regret[i]
         allowed = (costs <= costs[ON_PATH] - LEAST_GAIN) & (used + regret <= allowance + share * driven)
         if np.any(allowed):
             best = np.argmin(np.where(allowed, costs, np.inf))
             used += regret[best]
             savings[i] = steps.truth[i, ON_PATH] - steps.truth[i, best]
+        driven += STEP
     return savings
 
 
