@@ -7,12 +7,12 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr double kSlowestStart = 3.0;   // s
-constexpr double kLongestPeriod = 0.5;  // s, that one command lasts
-constexpr double kMoved = 0.02;         // m
-constexpr double kTurned = 0.05;        // rad
-constexpr double kLeast = 0.03;         // m/s; motors may not turn at less
-constexpr double kLeastTurn = 0.2;      // rad/s
+constexpr double kSlowestStart = 3.0;    // s
+constexpr double kLongestPeriod = 0.5;   // s, that one command lasts
+constexpr double kMovedAtAll = 0.02;     // m
+constexpr double kTurnedAtAll = 0.05;    // rad
+constexpr double kLeastSpeed = 0.03;     // m/s; motors may not turn at less
+constexpr double kLeastTurnSpeed = 0.2;  // rad/s
 
 }  // namespace
 
@@ -20,8 +20,9 @@ void IdleWatch::note(const Pose2& pose, double time, const Twist2& command) {
   const double passed = std::clamp(time - time_, 0.0, kLongestPeriod);
   time_ = time;
   if (is_told_) told_ += passed;
-  is_told_ = std::abs(command.linear) >= kLeast || std::abs(command.angular) >= kLeastTurn;
-  if (distanceBetween(pose, pose_) <= kMoved && std::abs(normalizeAngle(pose.yaw - pose_.yaw)) <= kTurned) return;
+  is_told_ = std::abs(command.linear) >= kLeastSpeed || std::abs(command.angular) >= kLeastTurnSpeed;
+  if (distanceBetween(pose, pose_) <= kMovedAtAll && std::abs(normalizeAngle(pose.yaw - pose_.yaw)) <= kTurnedAtAll)
+    return;
   pose_ = pose;
   told_ = 0.0;
 }
