@@ -258,15 +258,18 @@ TEST_F(ControllerTest, SaysThatAnObstacleStopsIt) {
 }
 
 TEST_F(ControllerTest, SaysThatTheRobotDoesNotDoWhatItIsTold) {
+  ros::param::set("~/SteeringController/patience", 0.0);
+  initialise();
   DiagnosticsListener listener("SteeringController");
   const auto steer = [&] {
     robot_.again();
     controller_->setPlan(straightPlan("odom", robot_.pose(), 3.0));
     controller_->computeVelocityCommands(velocity_);
   };
+  const std::string reason = "the robot stands: it does not do what it is told";
   EXPECT_TRUE(eventually([&] {
     steer();
-    return listener.latched().message == "the robot stands: it does not do what it is told";
+    return listener.latched().message == reason && log_.count(reason + ": for ") > 0;
   })) << listener.latched().message;
   EXPECT_EQ(listener.latched().level, diagnostic_msgs::DiagnosticStatus::WARN);
   EXPECT_TRUE(eventually([&] {

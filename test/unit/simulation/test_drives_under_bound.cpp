@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -62,6 +63,25 @@ TEST_F(DrivesUnderBound, ANetworkOfRandomWeightsArrives) {
   const double path = pathOf(DrivePolicy(PolicyDescription(), layers), AgentParameters());
   RecordProperty("ratio", std::to_string(path / routeLength()));
   EXPECT_LT(path, 1.10 * routeLength());
+}
+
+TEST(EnclosedGoal, IsGivenUpAfterEachWayToItWasLookedForOnce) {
+  OccupancyGrid grid = test::emptyHall(6.0, 6.0);
+  test::fillBox(2.65, 2.7, 3.35, 3.25, &grid);
+  const GridWorld world(grid);
+  AgentParameters parameters;
+  parameters.goal_drift = 0.0;  // the goal is in the box, and not beside it
+  const DrivePolicy policy = DrivePolicy::fromFile(LSTM_PLANNER_SOURCE_DIR "/test/models/goal_seeking.onnx");
+  // Four times what was remembered is taken for wrong; then comes the boundary, with room and once more without.
+  const double round = 2.0 * (0.7 + 0.55) + 2.0 * M_PI * (parameters.shield.footprint_radius + 0.12);
+  for (int seed = 0; seed < 4; ++seed) {
+    NavigationAgent agent(policy, parameters);
+    const DriveTask task{{1.5, 4.5, M_PI_2 - 0.4 * (seed % 9)}, {3.0, 2.97}, 0.0};
+    const DriveResult result = drive(world, task, test::quickDrive(600.0), static_cast<std::uint64_t>(seed), &agent);
+    EXPECT_EQ(static_cast<int>(result.end), static_cast<int>(DriveResult::End::kNoPath)) << seed;
+    EXPECT_EQ(result.contacts, 0);
+    EXPECT_LT(result.path_length, 6.0 * round) << seed;
+  }
 }
 
 }  // namespace
