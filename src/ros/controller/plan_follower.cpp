@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/drive/collision/returns_inside.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "ros/common/timing.hpp"
@@ -97,10 +98,8 @@ MotionCommand PlanFollower::compute() {
 
 std::string PlanFollower::whyIdle() const {
   if (idle_.idle() == 0.0) return "";
-  char text[300];
-  std::snprintf(text, sizeof(text), "for %.0f s the commands on %s were to move, and by the odometry on %s it did not",
-                idle_.idle(), ros::NodeHandle().resolveName("cmd_vel").c_str(), parameters_.sensors.odom_topic.c_str());
-  return text;
+  return "for " + fixedText(idle_.idle(), 0) + " s the commands on " + ros::NodeHandle().resolveName("cmd_vel") +
+         " were to move, and by the odometry on " + parameters_.sensors.odom_topic + " it did not";
 }
 
 std::string PlanFollower::whatBlocks(const std::string& why) const {
