@@ -80,8 +80,10 @@ TEST_F(BesideGoalTest, AGoalInAnObstacleEndsAsTheParameterSaysAndEverybodyIsTold
   // The posts reach 0.58 m from the goal, the footprint 0.174 m; odometry may be wrong by 0.3 of 3 m.
   EXPECT_GT(distanceOf(arrival), 0.58 + 0.174);
   EXPECT_LT(distanceOf(arrival), 1.2);
-  // It rolls out: 0.25 s of reaction at 0.3 m/s, and braking with 0.6 m/s^2.
-  EXPECT_NEAR(distanceOf(arrival), distanceBetween(pose(), kInTheRing), 0.15);
+  // An arrival is told once, and the robot rolls out: 0.25 s of reaction at 0.3 m/s, and braking with 0.6 m/s^2. A
+  // refusal is repeated until the goal is aborted, when the robot has long come to a stand.
+  const double roll_out = countsAsArrived() ? 0.15 : 0.02;
+  EXPECT_NEAR(distanceOf(arrival), distanceBetween(pose(), kInTheRing), roll_out);
   EXPECT_TRUE(contains(arrival.message, kSentence)) << arrival.message;
   if (countsAsArrived()) {
     EXPECT_EQ(state, State::SUCCEEDED) << state.getText();

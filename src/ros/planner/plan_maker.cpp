@@ -141,12 +141,22 @@ void PlanMaker::noteEnd(bool is_unasked) {
   // A report that is late may be about the goal before.
   const bool is_at_end = distanceBetween(robot, agent_.decision().destination) <= kFarthestEnd;
   const bool is_over = is_refused || (is_reported && is_at_end) || (is_unasked && choice == Decision::Move::kArrived);
-  if (!is_driving_ || !is_over) return;
-  is_driving_ = false;
-  end_ = DriveEnd{
+  if (!is_over) return;
+  const DriveEnd end{
       {driven_goal_.x, driven_goal_.y}, distanceBetween(robot, agent_.goal()), agent_.endsBesideGoal(), !is_refused};
-  arrival_.publish(*end_, global_frame_);
-  if (end_->is_beside) ROS_WARN("%s", end_->text().c_str());
+  if (is_driving_) {
+    is_driving_ = false;
+    tellEnd(end);
+    if (end.is_beside) ROS_WARN("%s", end.text().c_str());
+  } else if (is_refused && !is_unasked && end_ && end.text() != end_->text()) {
+    // After a refusal, move_base drives on along the last plan until the controller finds it too old.
+    tellEnd(end);
+  }
+}
+
+void PlanMaker::tellEnd(const DriveEnd& end) {
+  end_ = end;
+  arrival_.publish(end, global_frame_);
 }
 
 void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2& robot) const {

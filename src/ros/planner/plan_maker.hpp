@@ -76,6 +76,7 @@ class PlanMaker {
   SensorListener& sensors() { return sensors_; }
 
  private:
+  void tellEnd(const DriveEnd& end);
   void makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal_message,
                                std::vector<geometry_msgs::PoseStamped>* plan);
   void checkStart(const geometry_msgs::PoseStamped& start, const Pose2& robot) const;
