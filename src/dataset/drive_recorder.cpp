@@ -116,8 +116,10 @@ void DriveRecorder::work(const OdometryHeard& odometry) {
     if (elapsed > kLongestInterpolation) {
       reject(Rejection::kNoOdometry, "from one odometry message to the next it takes " + std::to_string(elapsed) +
                                          " s, expected at most " + std::to_string(kLongestInterpolation) + " s");
-    } else if (has_jumped || scan.stamp < before) {
-      sink_->reject(Rejection::kNoOdometry);
+    } else if (has_jumped) {
+      reject(Rejection::kNoOdometry, "the odometry jumps from one message to the next, and the scan lies between them");
+    } else if (scan.stamp < before) {
+      reject(Rejection::kNoOdometry, "the scan is older than the first odometry");
     } else {
       sample(scan);
     }
@@ -141,7 +143,8 @@ void DriveRecorder::work(const ScanHeard& scan) {
   } else if (waiting_.size() < kMostWaitingScans) {
     waiting_.push_back(scan);
   } else {
-    sink_->reject(Rejection::kNoOdometry);
+    reject(Rejection::kNoOdometry,
+           std::to_string(kMostWaitingScans) + " scans already wait for the next odometry message");
   }
 }
 

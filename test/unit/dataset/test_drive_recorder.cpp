@@ -306,6 +306,29 @@ TEST_F(DriveRecorderTest, ScansWithoutOdometryAroundThemAreCounted) {
   EXPECT_EQ(steps_.episodes().at(0).steps.size(), 7u);
 }
 
+TEST_F(DriveRecorderTest, ScansThatOdometryDoesNotReachAreCountedWithTheReason) {
+  DrivenRobot robot;
+  robot.events.push_back(scanAt(robot.time() - 0.01));
+  robot.drive(1.0, {0.3, 0.0});
+  record(robot.events);
+  EXPECT_EQ(steps_.reason(Rejection::kNoOdometry), "the scan is older than the first odometry");
+
+  steps_ = {};
+  robot.jump({5.0, 5.0, 1.0});
+  robot.drive(1.0, {0.3, 0.0});
+  record(robot.events);
+  EXPECT_EQ(steps_.reason(Rejection::kNoOdometry),
+            "the odometry jumps from one message to the next, and the scan lies between them");
+
+  steps_ = {};
+  robot = DrivenRobot();
+  robot.drive(1.0, {0.3, 0.0});
+  for (int i = 1; i <= 201; ++i) robot.events.push_back(scanAt(robot.time() + 0.001 * i));
+  record(robot.events);
+  EXPECT_EQ(steps_.rejected(Rejection::kNoOdometry), 1);
+  EXPECT_EQ(steps_.reason(Rejection::kNoOdometry), "200 scans already wait for the next odometry message");
+}
+
 TEST_F(DriveRecorderTest, ScansOfAnotherClockThanTheOdometrysAreCountedWithTheReason) {
   for (const double difference : {50.0, -50.0}) {
     steps_ = {};
