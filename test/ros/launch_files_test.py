@@ -172,6 +172,14 @@ class LaunchFiles(unittest.TestCase):
         self.check(desktop)
         self.assertEqual({node.name for node in desktop.nodes}, {"move_base"})
         self.assertEqual({node.name for node in robot.nodes}, whole - {"move_base"})
+        with self.assertRaisesRegex(Exception, "on is laptop, expected robot or desktop"):
+            load("two_machines.launch", "on:=laptop")
+
+    def test_two_machines_take_another_scanner_in_another_place(self):
+        robot = load("two_machines.launch", "on:=robot", "laser:=rplidar_ros", "laser_x:=0.1", "laser_yaw:=3.14")
+        desktop = load("two_machines.launch", "on:=desktop", "robot:=create2_rplidar")
+        self.assertIn("0.1 0.0 0.125 3.14 0 0.0 base_link laser", {node.args for node in robot.nodes})
+        self.assertEqual(self.parameter(desktop, "/move_base/SteeringController/safety_margin"), 0.05)
 
     def test_a_serial_scanner_takes_the_place_of_the_one_with_an_address(self):
         config = load("navigation.launch", "laser_port:=/dev/ttyACM0")
@@ -232,6 +240,13 @@ class LaunchFiles(unittest.TestCase):
         self.assertEqual(self.parameter(config, "/scripted_teleoperator/map"), "/m.yaml")
         self.assertTrue(self.parameter(config, "/use_sim_time"))
         self.check(config)
+
+    def test_a_driver_that_nobody_knows_is_refused(self):
+        for name in ("record_dataset.launch", "advice.launch"):
+            with self.assertRaisesRegex(Exception, "teleop is keybord, expected keyboard, joystick, scripted or none"):
+                load(name, "teleop:=keybord", "rviz:=false")
+            with self.assertRaisesRegex(Exception, "teleop is scripted and there is no map, expected map:=FILE"):
+                load(name, "teleop:=scripted", "rviz:=false")
 
     def test_recording_takes_its_waypoints_from_a_file(self):
         waypoints = os.path.join(rospkg.RosPack().get_path("lstm_planner"), "config", "demo_waypoints.yaml")
