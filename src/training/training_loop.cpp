@@ -25,8 +25,12 @@ class TrainingLoop {
       host_.stepDone();
       stopped = host_.stopWanted() && !training_.done();
       const bool due = training_.judgementDue();
-      if (due || (stopped && !isAnythingKept())) judge(due);
-      writeCheckpoint(due || stopped);
+      if (due) judge(true);
+      // Without the stop nothing would have been judged here: what goes on from the checkpoint does not compare with
+      // it.
+      const std::optional<double> best_when_due = best_;
+      if (!due && stopped && !isAnythingKept()) judge(false);
+      writeCheckpoint(due || stopped, best_when_due);
     }
     return {stopped, best_};
   }
@@ -66,7 +70,7 @@ class TrainingLoop {
     return true;
   }
 
-  void writeCheckpoint(bool at_once) {
+  void writeCheckpoint(bool at_once, const std::optional<double>& best) {
     if (options_.checkpoint.empty() || !training_.resumable() || !isFirstRank()) return;
     const Clock::time_point now = Clock::now();
     if (!at_once && std::chrono::duration<double>(now - last_checkpoint_).count() < options_.checkpoint_interval) {
@@ -75,7 +79,7 @@ class TrainingLoop {
     last_checkpoint_ = now;
     nlohmann::json progress = host_.notes();
     progress["output"] = options_.output;
-    if (best_) progress["best"] = *best_;
+    if (best) progress["best"] = *best;
     writeTrainingCheckpoint(options_.checkpoint, {options_.settings, progress, training_.checkpoint()});
   }
 

@@ -210,6 +210,19 @@ TEST_F(TrainingLoop, WhatAStopLeavesIsJudgedWhereNothingElseIsKept) {
   EXPECT_EQ(judgedAt(kEpoch + 1), std::make_pair(std::vector<int>({kEpoch, kEpoch + 1}), false)) << "it is lost else";
 }
 
+TEST_F(TrainingLoop, WhatOnlyAStopHadJudgedDoesNotCountWhenItGoesOn) {
+  Toy first;
+  Host stopping(first, options_.output);
+  stopping.stop_after_ = 2;
+  stopping.scores_ = {0.9};
+  EXPECT_EQ(runTraining(options_, &first, &stopping).best, 0.9);
+  Toy second;
+  Host resuming(second, options_.output);
+  resuming.scores_ = {0.5, 0.7, 0.6};
+  EXPECT_EQ(runTraining(options_, &second, &resuming).best, 0.7) << "as without the stop";
+  EXPECT_EQ(resuming.kept_at_, (std::vector<int>{kEpoch, 2 * kEpoch}));
+}
+
 TEST_F(TrainingLoop, TheBestOfBeforeAStopCountsUnlessItsFileIsGoneOrAnother) {
   const auto bestAfterStopAndRest = [&](const auto& change) {
     std::filesystem::remove(options_.checkpoint);
