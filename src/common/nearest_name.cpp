@@ -26,7 +26,7 @@ std::string nearestName(const std::string& name, const std::vector<std::string>&
   constexpr std::size_t kLongest = 100;  // what is longer is no slip of the pen
   if (name.empty() || name.size() > kLongest) return "";
   std::string nearest;
-  std::size_t least = std::max<std::size_t>(2, name.size() / 2);  // farther names are others
+  std::size_t least = std::max<std::size_t>(2, name.size() / 3);  // farther names are others
   for (const std::string& candidate : names) {
     const bool starts = name.size() > 1 && candidate.compare(0, name.size(), name) == 0;
     const std::size_t distance = starts ? 1 : editDistance(name, candidate);

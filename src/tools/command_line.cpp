@@ -39,6 +39,15 @@ class HelpFormatter : public CLI::Formatter {
   std::string usage_;
 };
 
+/// The hint at the end of a sentence. The two dashes, which all names have, make none of them nearer.
+std::string hintAtOption(const std::string& name, const std::vector<std::string>& names) {
+  const auto bare = [](const std::string& option) { return option.substr(std::min<std::size_t>(2, option.size())); };
+  std::vector<std::string> bare_names;
+  for (const std::string& option : names) bare_names.push_back(bare(option));
+  const std::string nearest = nearestName(bare(name), bare_names);
+  return nearest.empty() ? "" : "; the nearest is --" + nearest;
+}
+
 bool looksLikeOption(const std::string& text) { return text.size() > 2 && text.compare(0, 2, "--") == 0; }
 
 /// What is left over where an option has no such name.
@@ -50,8 +59,7 @@ void refuseRest(const CLI::App& app) {
   }
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) names.push_back(option->get_name(false, false));
-  const std::string name = rest.front().substr(0, rest.front().find('='));
-  throw std::invalid_argument("there is no option " + name + hintAt(name, names));
+  throw UnknownOption(rest.front().substr(0, rest.front().find('=')), names);
 }
 
 /// The next option is not a value.
@@ -156,6 +164,15 @@ std::string wrapped(const std::string& text, std::size_t width, std::size_t inde
   }
   return result;
 }
+
+UnknownOption::UnknownOption(std::string name, std::vector<std::string> names, const std::string& otherwise)
+    : std::invalid_argument("there is no option " + name +
+                            [&] {
+                              const std::string hint = hintAtOption(name, names);
+                              return hint.empty() ? otherwise : hint;
+                            }()),
+      name_(std::move(name)),
+      names_(std::move(names)) {}
 
 Option& Option::required() {
   is_required = true;

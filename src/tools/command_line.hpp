@@ -7,6 +7,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +41,20 @@ constexpr std::size_t kTextWidth = 110;  ///< letters of a line, of what the too
 /// The text in lines of at most `width` letters, broken at blanks; all lines but the first start with `indent` blanks,
 /// of which the first has `used` letters before it already.
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent, std::size_t used);
+
+/// Refuses an option that a command does not have. `names` are those that it has, with --; where none of them is near,
+/// the sentence ends with `otherwise`.
+class UnknownOption : public std::invalid_argument {
+ public:
+  UnknownOption(std::string name, std::vector<std::string> names, const std::string& otherwise = "");
+
+  const std::string& name() const { return name_; }
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  std::string name_;
+  std::vector<std::string> names_;
+};
 
 /// An option as a command declares it; made by CommandLine.
 struct Option {

@@ -71,13 +71,9 @@ std::string trainCommandLine(const std::vector<std::string>& arguments) {
   return line;
 }
 
-int runTrain(const std::vector<std::string>& given) {
-  if (asksForHelpAlone(given)) {
-    std::cout << kHelp;
-    return 0;
-  }
-  const std::vector<std::string> arguments = expandRecipe(given);
-  const Choice choice = readChoice(arguments);
+namespace {
+
+int run(const Choice& choice, const std::vector<std::string>& arguments) {
   if (choice.method == "dataset") return trainRobotByDataset(arguments);
   if (choice.task == "robot") {
     if (choice.method == "dagger") return trainRobotByDagger(arguments);
@@ -92,6 +88,27 @@ int runTrain(const std::vector<std::string>& given) {
   if (choice.method == "dagger") return trainGridByDagger(arguments);
   if (choice.method == "q-learning") return trainGridByQLearning(arguments);
   throw std::invalid_argument("--method is '" + choice.method + "', expected imitation, dagger or q-learning");
+}
+
+}  // namespace
+
+int runTrain(const std::vector<std::string>& given) {
+  if (asksForHelpAlone(given)) {
+    std::cout << kHelp;
+    return 0;
+  }
+  const std::vector<std::string> arguments = expandRecipe(given);
+  const Choice choice = readChoice(arguments);
+  try {
+    return run(choice, arguments);
+  } catch (const UnknownOption& error) {
+    // Misspelt may also be what chooses the training; or it is right, and of another training.
+    std::vector<std::string> names = error.names();
+    for (const char* choice : {"--dataset", "--task", "--method", "--search"}) {
+      if (error.name() != choice) names.emplace_back(choice);
+    }
+    throw UnknownOption(error.name(), names, " in this training; lstm_planner train --help names the others");
+  }
 }
 
 }  // namespace lstm_planner

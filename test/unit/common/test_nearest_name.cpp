@@ -19,6 +19,7 @@ TEST(NearestName, IsTheOneThatBeginsAlike) { EXPECT_EQ(nearestName("iter", kName
 
 TEST(NearestName, OfWhatIsFarFromAllIsNone) {
   EXPECT_EQ(nearestName("temperature", kNames), "");
+  EXPECT_EQ(nearestName("datset", {"rate"}), "") << "half of the letters are others";
   EXPECT_EQ(nearestName("", kNames), "");
   EXPECT_EQ(nearestName("goals", {}), "");
   EXPECT_EQ(nearestName(std::string(100000, 'a'), kNames), "");

@@ -137,6 +137,17 @@ TEST_F(CommandLineTool, NamesTheNearestOfWhatThereIs) {
   EXPECT_TRUE(contains(complaint("drive --temperature 3"), "there is no option --temperature\n"));
 }
 
+TEST_F(CommandLineTool, NamesWhatChoosesATrainingOrThatThereAreOthers) {
+  EXPECT_TRUE(contains(complaint("train --datset a.db"), "there is no option --datset; the nearest is --dataset\n"));
+  EXPECT_TRUE(contains(complaint("train datset=a.db"), "the nearest is --dataset\n"));
+  EXPECT_TRUE(contains(complaint("train --serch"), "the nearest is --search\n"));
+  EXPECT_TRUE(contains(complaint("train --epoch 2"), "the nearest is --epochs\n"));
+  EXPECT_TRUE(contains(complaint("train --search --method dagger"), "there is no option --method in this training"));
+  EXPECT_TRUE(
+      contains(complaint("train --recordings a.db"),
+               "there is no option --recordings in this training; lstm_planner train --help names the others\n"));
+}
+
 TEST_F(CommandLineTool, RefusesWhatHasNoMeaning) {
   EXPECT_TRUE(contains(complaint("drive --walkers 1 2"), "'2' stands alone"));
   EXPECT_TRUE(contains(complaint("drive --walkers"), "--walkers needs a value"));
