@@ -34,7 +34,11 @@ Recipe readRecipe(const std::string& name) {
   const auto [path, root] = readShippedYaml("recipe", "models/recipes", name, "KEY: VALUE in each line");
   Recipe recipe;
   for (const auto& entry : root) {
-    const std::string key = entry.first.as<std::string>();
+    const std::string key = keyOf(path, entry.first);
+    const auto has_key = [&](const auto& before) { return before.first == key; };
+    if (std::any_of(recipe.begin(), recipe.end(), has_key)) {
+      throw std::invalid_argument(path + ": " + key + " is given twice");
+    }
     recipe.emplace_back(key, valuesOf(entry.second, path + ": " + key));
   }
   return recipe;

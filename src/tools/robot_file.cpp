@@ -2,8 +2,10 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -28,22 +30,61 @@ constexpr double kSameDiameter = 0.001;  // m
 /// By their names on the parameter server, where `moving/range: 8` is the same as `moving: {range: 8}`.
 using Values = std::map<std::string, YAML::Node>;
 
-/// Of what is given twice the parameter server keeps the last alone, of a group as well: the rest of the first is lost.
-void collect(const std::string& path, const YAML::Node& node, const std::string& name, Values* values) {
-  const auto refuseTwice = [&](const std::string& what) {
-    throw std::invalid_argument(path + ": " + what + " is given twice, and a robot takes the last one alone");
-  };
-  if (!node.IsMap()) {
-    if (!values->emplace(name, node).second) refuseTwice(name);
-    return;
+/// Collects the values of a file.
+class Collector {
+ public:
+  Collector(const std::string& path, Values* values) : path_(path), values_(*values) {}
+
+  void collect(const YAML::Node& node, const std::string& name, int depth = 0) {
+    checkDepth(depth);
+    if (!node.IsMap()) {
+      if (!values_.emplace(name, node).second) refuseTwice(name);
+      return;
+    }
+    for (const auto& [key, value] : entriesOf(node, name, depth)) collect(value, key, depth + 1);
   }
-  std::set<std::string> keys;
-  for (const auto& entry : node) {
-    const std::string key = (name.empty() ? "" : name + "/") + entry.first.as<std::string>();
-    if (!keys.insert(key).second) refuseTwice(key);
-    collect(path, entry.second, key, values);
+
+ private:
+  using Entries = std::map<std::string, YAML::Node>;
+
+  /// With those of the groups that it merges (<<: *NAME), as in YAML 1.1, which rosparam reads: its own count more, and
+  /// those of an earlier group than those of a later one.
+  Entries entriesOf(const YAML::Node& map, const std::string& name, int depth) const {
+    Entries entries;
+    std::vector<YAML::Node> merged;
+    for (const auto& entry : map) {
+      const std::string key = keyOf(path_, entry.first);
+      if (key != "<<") {
+        const std::string full = (name.empty() ? "" : name + "/") + key;
+        if (!entries.emplace(full, entry.second).second) refuseTwice(full);
+      } else if (entry.second.IsSequence()) {
+        for (const auto& one : entry.second) merged.push_back(one);
+      } else {
+        merged.push_back(entry.second);
+      }
+    }
+    for (const YAML::Node& group : merged) {
+      if (!group.IsMap()) throw std::invalid_argument(path_ + ": " + name + "/<< is no group of parameters");
+      checkDepth(depth + 1);
+      entries.merge(entriesOf(group, name, depth + 1));
+    }
+    return entries;
   }
-}
+
+  void checkDepth(int depth) const {
+    constexpr int kDeepest = 100;
+    if (depth > kDeepest) throw std::invalid_argument(path_ + ": a group stands in itself (&NAME and *NAME)");
+  }
+
+  /// Of what is given twice the parameter server keeps the last alone, of a group as well: the rest of the first is
+  /// lost.
+  [[noreturn]] void refuseTwice(const std::string& what) const {
+    throw std::invalid_argument(path_ + ": " + what + " is given twice, and a robot takes the last one alone");
+  }
+
+  const std::string& path_;
+  Values& values_;
+};
 
 /// Reads one group of a file into variables that hold their defaults.
 class GroupReader {
@@ -86,13 +127,31 @@ class GroupReader {
     }
   }
 
-  template <typename Value>
-  static void assign(const YAML::Node& node, Value* value) {
-    *value = node.as<Value>();
+  // As rosparam, which follows YAML 1.1, and the nodes (ros/common/parameter_value.hpp) take a value.
+  static void assign(const YAML::Node& node, double* value) { *value = node.as<double>(); }
+  template <typename Whole>
+  static void assign(const YAML::Node& node, Whole* value) {
+    if (YAML::convert<Whole>::decode(node, *value)) return;
+    double number = 0.0;
+    assign(node, &number);
+    const bool is_whole = number == std::floor(number) && std::abs(number) <= std::numeric_limits<int>::max();
+    if (!is_whole) throw YAML::BadConversion(node.Mark());
+    *value = static_cast<Whole>(number);
+  }
+  static void assign(const YAML::Node& node, bool* value) {
+    if (!isTruth(node)) throw YAML::BadConversion(node.Mark());
+    *value = node.as<bool>();
+  }
+  /// Quoted it is a text, and so are y and n.
+  static bool isTruth(const YAML::Node& node) {
+    constexpr const char* kQuoted = "!";
+    bool ignored = false;
+    return node.IsScalar() && node.Tag() != kQuoted && node.Scalar().size() > 1 &&
+           YAML::convert<bool>::decode(node, ignored);
   }
   /// A list, such as a footprint, is the text of it.
   static void assign(const YAML::Node& node, std::string* value) {
-    if (node.IsNull()) throw YAML::BadConversion(node.Mark());
+    if (node.IsNull() || isTruth(node)) throw YAML::BadConversion(node.Mark());
     YAML::Emitter text;
     text << YAML::Flow << node;
     *value = node.IsSequence() ? text.c_str() : node.as<std::string>();
@@ -146,9 +205,14 @@ void checkBody(const std::string& path, const ShieldParameters& shield, const St
     throw std::invalid_argument(path + ": " + name + " is " + value + ", expected " + expected +
                                 " as for LstmGlobalPlanner/shield");
   };
+  // 0.20 is the same as 0.2.
+  const auto cornersOf = [&](const std::string& group, double radius, const std::string& footprint) {
+    return textOf(footprintOf(path + ": " + group + "/footprint", radius, footprint));
+  };
+  const std::string expected = cornersOf("LstmGlobalPlanner/shield", shield.footprint_radius, shield.footprint);
   for (const auto& [name, footprint] : {std::pair<const char*, std::string>{"SteeringController", controller.footprint},
                                         {"create2_stub/robot", simulated.footprint}}) {
-    if (footprint == shield.footprint) continue;
+    if (cornersOf(name, controller.footprint_radius, footprint) == expected) continue;
     refuse(std::string(name) + "/footprint", "'" + footprint + "'", "'" + shield.footprint + "'");
   }
   if (!shield.footprint.empty()) return;
@@ -203,7 +267,7 @@ bool isMisspelt(const std::string& name, const std::string& group) {
 void checkGroups(const std::string& path, const YAML::Node& root) {
   bool has_one = false;
   for (const auto& entry : root) {
-    const std::string key = entry.first.as<std::string>();
+    const std::string key = keyOf(path, entry.first);
     const std::string name = key.substr(0, key.find('/'));
     for (const char* group : {"LstmGlobalPlanner", "SteeringController", "create2_stub"}) {
       has_one = has_one || name == group;
@@ -225,7 +289,7 @@ void readRobotFile(const std::string& name, DriveParameters* drive, AgentParamet
 
   checkGroups(path, root);
   Values values;
-  collect(path, root, "", &values);
+  Collector(path, &values).collect(root, "");
 
   GlobalPlannerParameters planner;
   planner.agent = *agent;

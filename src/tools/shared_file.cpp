@@ -62,13 +62,22 @@ std::string findSharedFile(const std::string& name) {
 ShippedYaml readShippedYaml(const std::string& what, const std::string& folder, const std::string& name,
                             const std::string& expected) {
   const std::string path = pathOf(what, folder, name);
+  std::vector<YAML::Node> documents;
   try {
-    const YAML::Node root = YAML::LoadFile(path);
-    if (root.IsMap()) return {path, root};
+    documents = YAML::LoadAllFromFile(path);
   } catch (const YAML::Exception& error) {
-    throw std::invalid_argument(path + ": " + error.what());
+    throw std::invalid_argument(path + ": " + error.what() + ", expected " + expected);
   }
-  throw std::invalid_argument(path + ": expected " + expected);
+  if (documents.size() > 1)
+    throw std::invalid_argument(path + ": a second document follows behind '---', expected one");
+  if (documents.empty() || !documents[0].IsMap()) throw std::invalid_argument(path + ": expected " + expected);
+  return {path, documents[0]};
+}
+
+std::string keyOf(const std::string& path, const YAML::Node& key) {
+  if (key.IsScalar()) return key.Scalar();
+  throw std::invalid_argument(path + ", line " + std::to_string(key.Mark().line + 1) +
+                              ": a list, a map or nothing stands where a name should");
 }
 
 }  // namespace lstm_planner

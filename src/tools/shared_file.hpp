@@ -20,8 +20,11 @@ struct ShippedYaml {
 };
 
 /// Throws std::invalid_argument with a sentence: there is no such `what`, such as robot; or the file cannot be read, or
-/// is no map, where `expected` says what a map of it holds.
+/// is no single map, where `expected` says what a map of it holds.
 ShippedYaml readShippedYaml(const std::string& what, const std::string& folder, const std::string& name,
                             const std::string& expected);
+
+/// The text of a map's key. Throws std::invalid_argument with the line in the file where it is none.
+std::string keyOf(const std::string& path, const YAML::Node& key);
 
 }  // namespace lstm_planner

@@ -113,6 +113,66 @@ TEST_F(DriveRobots, WhatIsGivenTwiceIsRefused) {
   }
 }
 
+/// rosparam follows YAML 1.1, the tool's reader 1.2.
+TEST_F(DriveRobots, AValueIsWhatTheParameterServerTakesItFor) {
+  const auto driveWith = [&](const std::string& text) {
+    return drive("--worlds open --goals 1 --time-limit 1 --robot " + fileWith(text));
+  };
+  for (const std::string value : {"1440", "1440.0", "144e1", "'1440'"}) {
+    EXPECT_EQ(driveWith("create2_stub: {laser: {beams: " + value + ", angle_min: -3.14159}}\n").status, 0) << value;
+  }
+  EXPECT_NE(driveWith("create2_stub: {laser: {beams: 720.5}}\n")
+                .output.find("create2_stub/laser/beams is '720.5', expected a whole number"),
+            std::string::npos);
+  for (const std::string value : {"true", "yes", "on", "True"}) {
+    EXPECT_EQ(driveWith("LstmGlobalPlanner: {memory: {enabled: " + value + "}}\n").status, 0) << value;
+  }
+  for (const std::string value : {"'true'", "\"true\"", "y", "1"}) {
+    EXPECT_NE(
+        driveWith("LstmGlobalPlanner: {memory: {enabled: " + value + "}}\n").output.find("expected true or false"),
+        std::string::npos)
+        << value;
+  }
+  EXPECT_NE(driveWith("LstmGlobalPlanner: {scan_topic: on}\n")
+                .output.find("LstmGlobalPlanner/scan_topic is 'on', expected a text or a list"),
+            std::string::npos);
+}
+
+TEST_F(DriveRobots, AGroupThatMergesAnotherHasItsValues) {
+  const auto driveWith = [&](const std::string& controller) {
+    return drive("--worlds open --goals 1 --time-limit 1 --robot " +
+                 fileWith("LstmGlobalPlanner: {shield: &body {footprint_radius: 0.2}}\n" + controller));
+  };
+  EXPECT_EQ(driveWith("SteeringController: {<<: *body}\n").status, 0);
+  EXPECT_EQ(driveWith("SteeringController: {<<: [*body, {footprint_radius: 0.4}]}\n").status, 0);
+  EXPECT_NE(
+      driveWith("SteeringController: {<<: *body, footprint_radius: 0.3}\n").output.find("footprint_radius is 0.3"),
+      std::string::npos);
+}
+
+TEST_F(DriveRobots, AGroupInItselfIsRefused) {
+  for (const std::string text : {"SteeringController: &a {moving: *a}\n", "SteeringController: &a {<<: *a}\n"}) {
+    const std::string output = drive("--worlds open --goals 1 --robot " + fileWith(text)).output;
+    EXPECT_NE(output.find("a group stands in itself"), std::string::npos) << output;
+  }
+}
+
+TEST_F(DriveRobots, TheSameFootprintInOtherDigitsIsTheSame) {
+  const std::string square = "[[0.2, 0.2], [0.2, -0.2], [-0.2, -0.2], [-0.2, 0.2]]";
+  const test::Outcome outcome =
+      drive("--worlds open --goals 1 --time-limit 1 --robot " +
+            fileWith("LstmGlobalPlanner: {shield: {footprint: " + square +
+                     "}}\nSteeringController: {footprint: [[0.20, 0.20], [0.2, -0.2], [-.2, -.2], "
+                     "[-2e-1, 0.2]]}\n"));
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+}
+
+TEST_F(DriveRobots, ASecondDocumentIsRefused) {
+  const std::string output =
+      drive("--goals 1 --robot " + fileWith("LstmGlobalPlanner: {}\n---\nSteeringController: {}\n")).output;
+  EXPECT_NE(output.find("robot.yaml: a second document follows behind '---'"), std::string::npos) << output;
+}
+
 TEST_F(DriveRobots, AFootprintOfOnePluginAloneIsRefused) {
   const auto refusal = [&](const std::string& text) {
     return drive("--worlds open --goals 1 --robot " + fileWith(text)).output;

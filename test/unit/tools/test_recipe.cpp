@@ -64,6 +64,14 @@ TEST_F(Recipe, WhatCannotBeReadIsRefused) {
   EXPECT_NE(refusal({recipe("cells: {a: 1}\n")}).find("cells: expected a number, a text, or a list"),
             std::string::npos);
   EXPECT_NE(refusal({recipe("a: [1\n")}).find("recipe.yaml: "), std::string::npos);
+  EXPECT_NE(refusal({recipe("kinds: [open]\nseed: 1\nkinds: [rooms]\n")}).find("recipe.yaml: kinds is given twice"),
+            std::string::npos);
+  EXPECT_NE(refusal({recipe("seed: 1\n---\nseed: 2\n")}).find("a second document follows behind '---'"),
+            std::string::npos);
+  EXPECT_NE(refusal({recipe("seed: 1\n? [a]\n: 2\n")}).find("recipe.yaml, line 2: a list"), std::string::npos);
+  EXPECT_NE(refusal({LSTM_PLANNER_SOURCE_DIR "/models/create2_lstm.onnx"}).find("expected KEY: VALUE in each line"),
+            std::string::npos)
+      << "a model is no recipe";
   EXPECT_EQ(refusal({"cells=[1"}), "cells is '[1', expected a list, as in [1, 2]");
 }
 
