@@ -206,6 +206,9 @@ TEST(ParameterValues, OfAnotherKindAreRefusedWithNameValueAndWhatWasExpected) {
   const std::string name = "parameter " + node.resolveName("parameter") + " is ";
   EXPECT_EQ(refusalOf<double>(node, "fast"), name + "fast, expected a number");
   EXPECT_EQ(refusalOf<double>(node, "0.3 m/s"), name + "0.3 m/s, expected a number");
+  EXPECT_EQ(refusalOf<double>(node, "5 -"), name + "5 -, expected a number");
+  EXPECT_EQ(refusalOf<double>(node, "1e999"), name + "1e999, expected a number");
+  EXPECT_EQ(refusalOf<std::vector<double>>(node, "1 2 3e"), name + "1 2 3e, expected a list of numbers");
   EXPECT_EQ(refusalOf<int>(node, 2.5), name + "2.5, expected a whole number");
   EXPECT_EQ(refusalOf<bool>(node, "maybe"), name + "maybe, expected true or false");
   EXPECT_EQ(refusalOf<std::vector<NamedPose>>(node, "[[1, 2]]"),

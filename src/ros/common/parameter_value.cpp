@@ -56,8 +56,11 @@ std::optional<std::vector<double>> asNumbers(XmlRpcValue value) {
   std::vector<double> numbers;
   if (value.getType() == XmlRpcValue::TypeString) {
     std::istringstream text(static_cast<std::string&>(value));
-    for (double number; text >> number;) numbers.push_back(number);
-    if (!text.eof()) return std::nullopt;
+    while (!(text >> std::ws).eof()) {
+      double number = 0.0;
+      if (!(text >> number)) return std::nullopt;  // also where the text ends within a number
+      numbers.push_back(number);
+    }
   } else if (value.getType() == XmlRpcValue::TypeArray) {
     for (int i = 0; i < value.size(); ++i) {
       const auto number = asNumber(value[i]);
