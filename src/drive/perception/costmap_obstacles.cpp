@@ -15,7 +15,6 @@ constexpr unsigned char kLethal = 254;
 
 constexpr double kPointSpacing = 0.06;  // m between the points of a large cell, at most
 constexpr double kNear = 0.5;           // m within which obstacles count wherever they are
-constexpr int kWidestRing = 31;         // cells around an obstacle that may be inscribed
 
 /// Of some cells whether each is meant, row by row.
 struct CellMask {
@@ -32,26 +31,27 @@ struct CellMask {
   std::vector<std::uint8_t> cells;
 };
 
-/// What is within so many columns and rows of a cell.
-CellMask dilated(const CellMask& mask, int around) {
-  CellMask wide(mask.columns, mask.rows);
-  for (int row = 0; row < mask.rows; ++row) {
-    const std::uint8_t* const from = mask.row(row);
-    std::uint8_t* const to = wide.row(row);
-    for (int aside = -around; aside <= around; ++aside) {
-      const int end = std::min(mask.columns, mask.columns - aside);
-      for (int column = std::max(0, -aside); column < end; ++column) to[column] |= from[column + aside];
+/// What is within so many columns and rows of a cell. Twice as far each time: `around` may be many cells.
+CellMask dilated(CellMask mask, int around) {
+  for (int done = 0; done < around;) {
+    const int by = std::min(around - done, done + 1);  // more would leave gaps, or lose what crosses the border
+    CellMask wide = mask;
+    for (int row = 0; row < mask.rows; ++row) {
+      const std::uint8_t* const from = mask.row(row);
+      std::uint8_t* const to = wide.row(row);
+      for (int column = by; column < mask.columns; ++column) to[column] |= from[column - by];
+      for (int column = by; column < mask.columns; ++column) to[column - by] |= from[column];
     }
-  }
-  CellMask all(mask.columns, mask.rows);
-  for (int row = 0; row < mask.rows; ++row) {
-    std::uint8_t* const to = all.row(row);
-    for (int other = std::max(0, row - around); other <= std::min(mask.rows - 1, row + around); ++other) {
-      const std::uint8_t* const from = wide.row(other);
-      for (int column = 0; column < mask.columns; ++column) to[column] |= from[column];
+    mask = wide;
+    for (int row = by; row < mask.rows; ++row) {
+      for (int column = 0; column < mask.columns; ++column) {
+        mask.row(row)[column] |= wide.row(row - by)[column];
+        mask.row(row - by)[column] |= wide.row(row)[column];
+      }
     }
+    done += by;
   }
-  return all;
+  return mask;
 }
 
 /// The part of a costmap that is looked at.
@@ -147,7 +147,7 @@ std::vector<Point2> costmapObstacles(const CostGrid& grid, const Pose2& base, co
   const CostWindow window(grid, base, reach + grid.inscribed_radius + 2.0 * grid.resolution);
   CellMask occupied = window.cellsOf(kLethal);
   const CellMask inscribed = window.cellsOf(kInscribed);
-  const int around = std::min(kWidestRing, static_cast<int>(std::ceil(grid.inscribed_radius / grid.resolution)) + 1);
+  const int around = static_cast<int>(std::ceil(grid.inscribed_radius / grid.resolution)) + 1;
   const CellMask explained = dilated(occupied, around);
   for (std::size_t i = 0; i < occupied.cells.size(); ++i) {
     occupied.cells[i] |= static_cast<std::uint8_t>(inscribed.cells[i] & ~explained.cells[i]);

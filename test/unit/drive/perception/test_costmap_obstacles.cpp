@@ -94,6 +94,19 @@ TEST_F(CostmapObstaclesTest, OfAnInflatedObstacleOnlyTheLethalCellCounts) {
   EXPECT_EQ(find().size(), 1u);
 }
 
+TEST_F(CostmapObstaclesTest, FineCellsAroundALargeRobotAreInflatedTooAndNoObstacles) {
+  grid_.resolution = 0.01;
+  grid_.inscribed_radius = 0.5;
+  for (int row = 0; row < grid_.rows; ++row) {
+    for (int column = 0; column < grid_.columns; ++column) {
+      const double distance = std::hypot(column - 60, row - 60) * grid_.resolution;
+      if (distance <= grid_.inscribed_radius) costs_[static_cast<std::size_t>(row * 120 + column)] = kInscribed;
+    }
+  }
+  costs_[60 * 120 + 60] = kLethal;
+  EXPECT_EQ(find({-2.4, -2.4, 0.0}).size(), 1u);
+}
+
 TEST_F(CostmapObstaclesTest, AnInscribedCellFarFromAllLethalOnesIsAnObstacle) {
   mark(1.0 + kHalf, kHalf, kInscribed);
   EXPECT_EQ(find().size(), 1u);
