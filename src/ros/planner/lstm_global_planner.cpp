@@ -7,7 +7,6 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <stdexcept>
 
-#include "lstm_planner/common/file_hash.hpp"
 #include "lstm_planner/drive/decision/decision_text.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "ros/common/costmap_footprint.hpp"
@@ -171,7 +170,7 @@ void LstmGlobalPlanner::describeFigures(PluginDiagnostics::Status* status) const
   status->add("longest time for a plan (ms)", 1e3 * answer_.longest);
 }
 
-void LstmGlobalPlanner::describeModel(PluginDiagnostics::Status* status) {
+void LstmGlobalPlanner::describeModel(PluginDiagnostics::Status* status) const {
   using diagnostic_msgs::DiagnosticStatus;
   if (!plan_maker_) {
     status->summary(DiagnosticStatus::ERROR, "the planner cannot be used: " + why_unusable_);
@@ -183,9 +182,7 @@ void LstmGlobalPlanner::describeModel(PluginDiagnostics::Status* status) {
   }
   const std::string warning = plan_maker_->agent().standInWarning();
   status->summary(warning.empty() ? DiagnosticStatus::OK : DiagnosticStatus::WARN, warning.empty() ? model_ : warning);
-  if (model_hash_.empty()) model_hash_ = sha1OfFile(model_);
   const PolicyDescription& description = plan_maker_->agent().policy().description();
-  status->add("sha1", model_hash_);
   status->add("steering angles", description.actions.size());
   status->add("step length (m)", description.step_length);
   status->add("robot radius (m)", description.footprint_radius);

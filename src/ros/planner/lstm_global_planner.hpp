@@ -62,7 +62,7 @@ class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner {
   bool isAsked() const;
   void describeState(diagnostic_updater::DiagnosticStatusWrapper* status) const;
   void describeFigures(diagnostic_updater::DiagnosticStatusWrapper* status) const;
-  void describeModel(diagnostic_updater::DiagnosticStatusWrapper* status);
+  void describeModel(diagnostic_updater::DiagnosticStatusWrapper* status) const;
 
   /// Null until initialised, or if not used. Its mutex is taken before the other one.
   std::atomic<costmap_2d::Costmap2DROS*> costmap_{nullptr};
@@ -70,7 +70,6 @@ class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner {
   std::unique_ptr<PlanMaker> plan_maker_;                          ///< null until initialised
   std::string why_unusable_ = "initialize() has not been called";  ///< as long as it is not
   std::string model_;                                              ///< path
-  std::string model_hash_;                                         ///< once somebody has asked
   Answer answer_;
   // Last: they ask for what is above.
   std::unique_ptr<PluginDiagnostics> diagnostics_;
