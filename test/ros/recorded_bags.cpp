@@ -1,3 +1,4 @@
+#include <actionlib_msgs/GoalID.h>
 #include <gtest/gtest.h>
 #include <rosbag/view.h>
 #include <sys/stat.h>
@@ -190,6 +191,25 @@ TEST(RecordedBagTest, TopicsMayLackTheSlashInFront) {
   BagDriveOptions options;
   options.scan_topic = "/scan";
   EXPECT_EQ(recorded(path, options).result.scans, 320);
+}
+
+TEST(RecordedBagTest, ARobotsTransformsAndGoalsAreThoseOfTheScansNamespace) {
+  DriveBagContent content;
+  content.root = "/robot1/";
+  const std::string path = written("namespace.bag", content);
+  tf2_msgs::TFMessage elsewhere;
+  elsewhere.transforms = {toMessage({5.0, 5.0, 0.0}, "base_footprint", "base_scan", ros::Time(DriveBag::kStart))};
+  {
+    rosbag::Bag bag(path, rosbag::bagmode::Append);
+    bag.write("/tf_static", ros::Time(DriveBag::kStart), elsewhere);
+    bag.write("/move_base/cancel", ros::Time(DriveBag::kStart + 5.0), actionlib_msgs::GoalID());
+  }
+  const Outcome outcome = recorded(path);
+  EXPECT_EQ(outcome.result.goals, 6);
+  const Outcome without = recorded(written("no_namespace.bag"));
+  EXPECT_EQ(outcome.steps(), without.steps());
+  ASSERT_EQ(outcome.recording.episodes.size(), without.recording.episodes.size());
+  EXPECT_EQ(outcome.recording.episodes[0].steps.at(0).geometry.mount.pose.x, DriveBag::kMount);
 }
 
 TEST(RecordedBagTest, TheMountIsTheTransformsOrTheGivenOneAndNeverGuessed) {

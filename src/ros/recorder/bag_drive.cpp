@@ -179,7 +179,7 @@ class BagPlayer {
     } else if (topic == topics_.odometry) {
       const auto heard = messageOf<nav_msgs::Odometry>(message);
       if (heard && isPlausible(*heard, message)) listener->hear(*heard, message.getTime());
-    } else if (contains(topics_.transforms, topic)) {
+    } else if (topic == topics_.transforms || topic == topics_.static_transforms) {
       playTransforms(message, tf, odometry, listener);
     } else if (contains(topics_.goals, topic)) {
       listener->hearGoal(message);
@@ -192,7 +192,7 @@ class BagPlayer {
                       BagListener* listener) {
     const auto transforms = messageOf<tf2_msgs::TFMessage>(message);
     if (!transforms) return;
-    const bool is_static = absoluteTopic(message.getTopic()) == "/tf_static";
+    const bool is_static = message.getTopic() == topics_.static_transforms;
     std::vector<geometry_msgs::TransformStamped> plausible;
     for (const geometry_msgs::TransformStamped& transform : transforms->transforms) {
       if (!is_static && !isPlausible(transform, message)) continue;
@@ -321,7 +321,9 @@ class Recorder : public BagListener {
   void hearGoal(const rosbag::MessageInstance& message) override {
     const std::string topic = absoluteTopic(message.getTopic()).substr(1);
     // As the node itself calls the goals that it publishes there.
-    const std::string source = topic == "dataset_recorder/goal" ? "waypoints" : topic;
+    const std::string own = "dataset_recorder/goal";
+    const bool is_own = topic.size() >= own.size() && topic.compare(topic.size() - own.size(), own.size(), own) == 0;
+    const std::string source = is_own ? "waypoints" : topic;
     if (const auto goal = messageOf<geometry_msgs::PoseStamped>(message)) {
       messages_.hearGoal(*goal, source, message.getTime());
     } else if (const auto action = messageOf<move_base_msgs::MoveBaseActionGoal>(message)) {
@@ -374,6 +376,8 @@ BagDriveResult record(const OpenBags& bags, const BagDriveOptions& options, cons
   BagDriveResult& result = survey.result;
   result.scan_topic = player.topics().scan;
   result.odometry_source = player.topics().odometry.empty() ? "tf" : player.topics().odometry;
+  result.transforms = player.topics().transforms;
+  result.static_transforms = player.topics().static_transforms;
   result.goal_topics = player.topics().goals;
   checkContent(result, options);
   if (!options.mount) survey.requireMount(all_transforms);

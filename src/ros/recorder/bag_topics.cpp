@@ -44,6 +44,18 @@ std::string nameInBag(const std::string& name, const std::vector<std::string>& t
   return topic == topics.end() ? "" : *topic;
 }
 
+/// As nameInBag(); the nearest of those from the namespace of the scans outwards, as in the bag of a robot whose names
+/// all begin with its own.
+std::string nearestInBag(const std::string& name, const std::string& scan, const std::vector<std::string>& topics) {
+  std::string space = absoluteTopic(scan);
+  std::string found;
+  while (found.empty() && !space.empty()) {
+    space.resize(space.rfind('/'));
+    found = nameInBag(space + "/" + name, topics);
+  }
+  return found;
+}
+
 std::string contentOf(const Connections& connections) {
   std::set<std::string> topics;
   for (const rosbag::ConnectionInfo* connection : connections) {
@@ -69,14 +81,15 @@ std::string choose(const Connections& connections, const std::string& asked_for,
   return !topic.empty() || topics.empty() ? topic : topics[0];
 }
 
-std::vector<std::string> chooseGoals(const Connections& connections, const std::vector<std::string>& asked_for) {
+std::vector<std::string> chooseGoals(const Connections& connections, const std::string& scan,
+                                     const std::vector<std::string>& asked_for) {
   std::vector<std::string> topics = topicsOf<geometry_msgs::PoseStamped>(connections);
   const std::vector<std::string> actions = topicsOf<move_base_msgs::MoveBaseActionGoal>(connections);
   topics.insert(topics.end(), actions.begin(), actions.end());
   std::vector<std::string> goals;
   if (asked_for.empty()) {
-    for (const char* name : {"/move_base/goal", "/move_base_simple/goal", "/dataset_recorder/goal"}) {
-      const std::string topic = nameInBag(name, topics);
+    for (const char* name : {"move_base/goal", "move_base_simple/goal", "dataset_recorder/goal"}) {
+      const std::string topic = nearestInBag(name, scan, topics);
       if (!topic.empty()) goals.push_back(topic);
     }
   }
@@ -93,22 +106,19 @@ std::vector<std::string> chooseGoals(const Connections& connections, const std::
 }
 
 /// move_base's own, and those of the action servers that the goals are for.
-std::vector<std::string> chooseEnds(const Connections& connections, const std::vector<std::string>& goals) {
-  std::set<std::string> servers = {"/move_base"};
+std::vector<std::string> chooseEnds(const Connections& connections, const std::string& scan,
+                                    const std::vector<std::string>& goals) {
+  const std::vector<std::string> cancels = topicsOf<actionlib_msgs::GoalID>(connections);
+  const std::vector<std::string> results = topicsOf<move_base_msgs::MoveBaseActionResult>(connections);
+  std::set<std::string> ends = {nearestInBag("move_base/cancel", scan, cancels),
+                                nearestInBag("move_base/result", scan, results)};
   for (const std::string& goal : goals) {
     const std::string topic = absoluteTopic(goal);
-    servers.insert(topic.substr(0, topic.rfind('/')));
+    const std::string server = topic.substr(0, topic.rfind('/'));
+    ends.insert({nameInBag(server + "/cancel", cancels), nameInBag(server + "/result", results)});
   }
-  std::vector<std::string> ends;
-  for (const std::string& server : servers) {
-    for (const rosbag::ConnectionInfo* connection : connections) {
-      const std::string topic = absoluteTopic(connection->topic);
-      const bool is_cancel = topic == server + "/cancel" && isOf<actionlib_msgs::GoalID>(*connection);
-      const bool is_result = topic == server + "/result" && isOf<move_base_msgs::MoveBaseActionResult>(*connection);
-      if ((is_cancel || is_result) && !contains(ends, connection->topic)) ends.push_back(connection->topic);
-    }
-  }
-  return ends;
+  ends.erase("");
+  return {ends.begin(), ends.end()};
 }
 
 }  // namespace
@@ -117,8 +127,10 @@ std::string absoluteTopic(const std::string& name) { return name.empty() || name
 
 std::vector<std::string> BagTopics::all() const {
   std::vector<std::string> topics = {scan};
-  if (!odometry.empty()) topics.push_back(odometry);
-  for (const auto* more : {&transforms, &goals, &ends}) topics.insert(topics.end(), more->begin(), more->end());
+  for (const auto* more : {&odometry, &transforms, &static_transforms}) {
+    if (!more->empty()) topics.push_back(*more);
+  }
+  for (const auto* more : {&goals, &ends}) topics.insert(topics.end(), more->begin(), more->end());
   return topics;
 }
 
@@ -132,17 +144,15 @@ BagTopics chooseTopics(rosbag::View* view, const BagDriveOptions& options) {
   }
   topics.odometry = choose<nav_msgs::Odometry>(connections, options.odometry_topic, "--odometry-topic");
   const std::vector<std::string> transforms = topicsOf<tf2_msgs::TFMessage>(connections);
-  for (const char* name : {"/tf", "/tf_static"}) {
-    const std::string topic = nameInBag(name, transforms);
-    if (!topic.empty()) topics.transforms.push_back(topic);
-  }
-  if (topics.odometry.empty() && topics.transforms.empty()) {
+  topics.transforms = nearestInBag("tf", topics.scan, transforms);
+  topics.static_transforms = nearestInBag("tf_static", topics.scan, transforms);
+  if (topics.odometry.empty() && topics.transforms.empty() && topics.static_transforms.empty()) {
     throw std::invalid_argument("has no odometry: expected a topic of nav_msgs/Odometry, or /tf, among " +
                                 contentOf(connections));
   }
   if (options.hindsight) return topics;
-  topics.goals = chooseGoals(connections, options.goal_topics);
-  topics.ends = chooseEnds(connections, topics.goals);
+  topics.goals = chooseGoals(connections, topics.scan, options.goal_topics);
+  topics.ends = chooseEnds(connections, topics.scan, topics.goals);
   return topics;
 }
 

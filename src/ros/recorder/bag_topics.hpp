@@ -15,8 +15,9 @@ std::string absoluteTopic(const std::string& name);
 /// Which of a bag's topics are listened to, as the bag calls them.
 struct BagTopics {
   std::string scan;
-  std::string odometry;  ///< empty: from tf
-  std::vector<std::string> transforms;
+  std::string odometry;           ///< empty: from tf
+  std::string transforms;         ///< empty: there are none
+  std::string static_transforms;  ///< empty: there are none
   std::vector<std::string> goals;
   std::vector<std::string> ends;  ///< cancels and results
 

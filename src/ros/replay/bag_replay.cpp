@@ -36,9 +36,6 @@ namespace {
 const ros::WallDuration kSettling(0.5);  // within which a computer that is not too busy makes and serves connections
 constexpr int kQueue = 1000;             // what is played as fast as possible comes faster than it is sent
 
-bool isTransforms(const std::string& topic) { return topic == "/tf" || topic == "tf"; }
-bool isStaticTransforms(const std::string& topic) { return topic == "/tf_static" || topic == "tf_static"; }
-
 /// Plays the scans, odometry, transforms and map of a bag on /clock, scan, odom, /tf, /tf_static and map.
 ///
 /// The clock is the sensors': the recording computer's may differ from theirs, so the message that was on its way for
@@ -46,10 +43,12 @@ bool isStaticTransforms(const std::string& topic) { return topic == "/tf_static"
 /// pose comes from the odometry.
 class BagReplayPlayer {
  public:
-  /// What of the bag is played. Empty odometry: it has none.
+  /// What of the bag is played; empty what it does not have.
   struct Topics {
     std::string scan;
     std::string odometry;
+    std::string transforms;
+    std::string static_transforms;
   };
 
   /// Of a bag that recordBags() has read.
@@ -78,8 +77,6 @@ class BagReplayPlayer {
   std::string odometry_frame_;
   std::string base_frame_;
   std::string scan_frame_;
-  bool has_transforms_ = false;
-
   ros::NodeHandle node_;
   ros::Publisher clock_;
   ros::Publisher scans_;
@@ -103,10 +100,6 @@ BagReplayPlayer::BagReplayPlayer(const std::string& path, const Topics& topics)
 }
 
 void BagReplayPlayer::readClock() {
-  rosbag::View view(bag_);
-  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
-    has_transforms_ = has_transforms_ || isTransforms(connection->topic);
-  }
   rosbag::View sensors(bag_, rosbag::TopicQuery(std::vector<std::string>{topics_.scan, topics_.odometry}));
   for (const rosbag::MessageInstance& message : sensors) {
     std_msgs::Header header;
@@ -176,10 +169,10 @@ void BagReplayPlayer::publish(const rosbag::MessageInstance& message) {
     const auto odometry = messageOf<nav_msgs::Odometry>(message);
     if (!odometry) return;
     odometry_.publish(odometry);
-    if (!has_transforms_) publishPose(*odometry);
-  } else if (isTransforms(topic)) {
+    if (topics_.transforms.empty()) publishPose(*odometry);
+  } else if (topic == topics_.transforms) {
     if (const auto transforms = messageOf<tf2_msgs::TFMessage>(message)) transforms_.publish(transforms);
-  } else if (isStaticTransforms(topic)) {
+  } else if (topic == topics_.static_transforms) {
     const auto transforms = messageOf<tf2_msgs::TFMessage>(message);
     if (transforms) static_transforms_.sendTransform(transforms->transforms);
   } else if (const auto map = messageOf<nav_msgs::OccupancyGrid>(message)) {
@@ -228,7 +221,8 @@ BagReplay::BagReplay(const BagReplayParameters& parameters)
           {parameters.bag}, parameters.drive,
           replayParameters(replay_.description(), parameters.planner.agent, parameters.planner.sensors.scan_rules),
           &replay_)),
-      player_(parameters.bag, {drive_.scan_topic, drive_.odometry_source == "tf" ? "" : drive_.odometry_source}),
+      player_(parameters.bag, {drive_.scan_topic, drive_.odometry_source == "tf" ? "" : drive_.odometry_source,
+                               drive_.transforms, drive_.static_transforms}),
       display_(replay_.description()) {
   if (replay_.decisions().empty()) {
     throw std::invalid_argument("there is no step to decide about in '" + parameters_.bag +

@@ -34,6 +34,8 @@ struct BagDriveResult {
   std::string scan_topic;
   std::string odometry_source;  ///< a topic, or "tf"
   std::string odometry_frame;
+  std::string transforms;                ///< topic; empty: there are none
+  std::string static_transforms;         ///< topic; empty: there are none
   std::vector<std::string> goal_topics;  ///< those of the bag that were listened to
   long skipped = 0;                      ///< messages that are broken or have a stamp far ahead of the others
   std::string first_skipped;             ///< topic, time and why
@@ -49,8 +51,9 @@ std::vector<BagParts> bagRecordings(const std::vector<std::string>& paths, doubl
 
 /// Replays a recording into a recorder, in the order and with the clock of its messages: the steps are those that the
 /// node dataset_recorder would have made of them. The parts are one timeline: goals and static transforms of one hold
-/// in those behind it. Beside goals move_base's cancel and result are heard, and tf: /tf and /tf_static, also of the
-/// type tf/tfMessage of old. Needs no master, nor ros::init().
+/// in those behind it. Beside goals move_base's cancel and result are heard, and tf: tf and tf_static, also of the
+/// type tf/tfMessage of old. Each of these names is looked for in the namespace of the scans, and then in those around
+/// it. Needs no master, nor ros::init().
 ///
 /// Odometry from tf has a message for each transform of `odometry_frame`, and the speeds between them. Goals in
 /// hindsight are found in what the recorder would hear of the odometry: see hindsightGoals().
