@@ -16,6 +16,12 @@ constexpr int kScanQueue = 3;         // the newest counts, those before it tell
 constexpr int kOdometryQueue = 100;   // a tenth of a second of the fastest
 constexpr double kAngleSlack = 0.02;  // rad
 
+void sayTwoPublishers(const std::string& topic, const std::string& publisher, double now, PublisherWatch* watch) {
+  if (!watch->note(publisher, now)) return;
+  ROS_WARN("two nodes publish on %s, %s and %s: their messages are taken for those of one, which then seems to jump",
+           topic.c_str(), watch->newest().c_str(), watch->other().c_str());
+}
+
 }  // namespace
 
 void perceive(const SensorReading& reading, const Pose2& from_odometry, const ScanRules& rules, double range_cap,
@@ -66,6 +72,7 @@ void SensorListener::hear(const ScanEvent& event, Scanner* scanner) {
   scanner->watch.hear(scanner->scan, parameters_.scan_rules, stampOr(message.header.stamp, received).toSec(),
                       received.toSec(), history_.empty() ? Pose2() : history_.newest().pose);
   sayContradictions(message, scanner->watch.topic());
+  sayTwoPublishers(scanner->watch.topic(), event.getPublisherName(), received.toSec(), &scanner->publishers);
 }
 
 void SensorListener::onOdometry(const ros::MessageEvent<nav_msgs::Odometry const>& event) {
@@ -87,6 +94,8 @@ void SensorListener::onOdometry(const ros::MessageEvent<nav_msgs::Odometry const
     history_.add(entry);
   }
   sayContradictions(*odometry);
+  sayTwoPublishers(odometry_subscriber_.getTopic(), event.getPublisherName(), odometry_received_.toSec(),
+                   &odometry_publishers_);
 }
 
 void SensorListener::sayContradictions(const sensor_msgs::LaserScan& scan, const std::string& topic) const {

@@ -17,6 +17,7 @@
 #include "lstm_planner/drive/perception/scanner_watch.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
 #include "lstm_planner/drive/plugin_parameters.hpp"
+#include "lstm_planner/ros/common/publisher_watch.hpp"
 #include "lstm_planner/ros/common/scanner_mounts.hpp"
 #include "ros/common/message_queue.hpp"
 #include "ros/common/odometry_base.hpp"
@@ -83,6 +84,7 @@ class SensorListener {
   struct Scanner {
     explicit Scanner(const ScannerWatch& scanner_watch) : watch(scanner_watch) {}
     ScannerWatch watch;
+    PublisherWatch publishers;
     LaserScan scan;
     std::string frame;
   };
@@ -112,6 +114,7 @@ class SensorListener {
   ros::Time odometry_stamp_;
   ros::Time odometry_received_;
   PeriodMeter odometry_period_;
+  PublisherWatch odometry_publishers_;
   bool timeouts_are_said_ = false;
   bool odometry_is_finite_ = true;
   OdometryHistory history_;

@@ -69,17 +69,23 @@ void TransformListener::addMoving(const geometry_msgs::TransformStamped& transfo
   // Zero, before a simulator's clock has come, is no time.
   const auto isAhead = [&](double time) { return !now.isZero() && time > now.toSec() + memory; };
   const auto last = newest_.find(transform.child_frame_id);
-  const bool was_sound = last != newest_.end() && !isAhead(last->second);
+  const bool was_sound = last != newest_.end() && !isAhead(last->second.stamp);
   if (stamp > ros::TIME_MAX.toSec() - memory || (isAhead(stamp) && was_sound)) {
     return sayLeftOut(transform, publisher, now);
   }
-  if (last != newest_.end() && isAhead(last->second) && !isAhead(stamp)) {
+  if (last != newest_.end() && isAhead(last->second.stamp) && !isAhead(stamp)) {
     ROS_WARN("the transform from %s to %s was stamped %.3f s, and is %.3f s now: all transforms so far are forgotten",
-             transform.child_frame_id.c_str(), transform.header.frame_id.c_str(), last->second, stamp);
+             transform.child_frame_id.c_str(), transform.header.frame_id.c_str(), last->second.stamp, stamp);
     buffer_.clear();
     newest_.clear();
   }
-  newest_[transform.child_frame_id] = stamp;
+  Child& child = newest_[transform.child_frame_id];
+  child.stamp = stamp;
+  if (child.publishers.note(publisher, now.toSec())) {
+    ROS_WARN("two nodes publish the transform from %s to %s, %s and %s: the newer one counts, so it may jump",
+             transform.child_frame_id.c_str(), transform.header.frame_id.c_str(), child.publishers.newest().c_str(),
+             child.publishers.other().c_str());
+  }
   add(transform, publisher, false);
 }
 

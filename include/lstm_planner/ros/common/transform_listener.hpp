@@ -12,13 +12,16 @@
 #include <memory>
 #include <string>
 
+#include "lstm_planner/ros/common/publisher_watch.hpp"
+
 namespace lstm_planner {
 
 /// Fills a buffer from the topics tf and tf_static, as tf2_ros::TransformListener does, and survives any message. A
 /// transform stamped farther ahead of the clock than the buffer remembers (10 s by default) makes it forget all others
 /// of its frame and refuse new ones until the clock has caught up. It is left out with a sentence when one with a sound
 /// stamp came before, and forgotten when one comes after; a publisher whose own clock is ahead is taken. The end of
-/// time, for which tf throws, is always left out. A clock that is set back clears the buffer.
+/// time, for which tf throws, is always left out. A clock that is set back clears the buffer. Two nodes that publish
+/// the same transform are named once.
 class TransformListener {
  public:
   /// In a thread of its own. `buffer` must outlive the object.
@@ -40,7 +43,11 @@ class TransformListener {
 
   tf2_ros::Buffer& buffer_;
   ros::Time last_update_;
-  std::map<std::string, double> newest_;  ///< s, the stamp of the last transform that was taken, by child frame
+  struct Child {
+    double stamp = 0.0;  ///< s, of the last transform that was taken
+    PublisherWatch publishers;
+  };
+  std::map<std::string, Child> newest_;  ///< by child frame
   ros::CallbackQueue queue_;
   ros::Subscriber subscriber_;
   ros::Subscriber static_subscriber_;
