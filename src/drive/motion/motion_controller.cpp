@@ -270,6 +270,11 @@ Pose2 MotionController::target(const MotionSituation& situation) const {
       length = 0.0;
     }
   }
+  // Of a planner that gives corners only, the one that the robot comes from does not count.
+  if (nearest + 1 < plan.size()) {
+    const Pose2 leg{plan[nearest].x, plan[nearest].y, directionTo(plan[nearest], plan[nearest + 1])};
+    if (toLocalFrame(leg, {pose.x, pose.y}).x > parameters_.nearest_target) ++nearest;
+  }
   // As far ahead as the plan leads away and one can go straight: to cut a corner must not lead into what the plan goes
   // round, and a plan that turns back is followed to where it turns.
   std::size_t ahead = nearest;

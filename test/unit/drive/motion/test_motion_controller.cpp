@@ -58,6 +58,18 @@ TEST_F(MotionControllerTest, FollowsAPlanThatTurnsBackToWhereItTurns) {
   EXPECT_NEAR(twist.angular, 0.0, 1e-9);
 }
 
+TEST_F(MotionControllerTest, FollowsAPlanOfCornersOnly) {
+  const std::vector<Pose2> corners = {{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {2.0, 2.0, 0.0}};
+  for (const double driven : {0.1, 0.5, 1.5}) {
+    for (const bool is_open : {true, false}) {
+      shield_.show(is_open ? std::vector<Point2>() : std::vector<Point2>{{2.2 - driven, 0.0}});
+      const Twist2 twist = compute(corners, {driven, 0.02, 0.0});
+      EXPECT_GT(twist.linear, 0.1) << driven;
+      EXPECT_NEAR(twist.angular, 0.0, 0.2) << driven;
+    }
+  }
+}
+
 TEST_F(MotionControllerTest, FindsItsPlaceOnAnOldPlan) {
   const Twist2 twist = compute(planAlong({{0.0, 0.0}, {5.0, 0.0}, {5.0, 3.0}}), {4.0, 0.02, 0.0});
   EXPECT_GT(twist.linear, 0.29);
