@@ -85,7 +85,7 @@ TEST_F(PlannerTest, StartInAnotherFrameOrFarFromTheRobotIsRefused) {
                        [&] { stand(kLogPeriod); });
   };
   expectRefusedFrom(stampedPose("map", {}), "no plan: the start is in frame 'map', expected odom");
-  expectRefusedFrom(stampedPose("odom", {3.0, 0.0, 0.0}), "no plan: the start is 3.000000 m from the robot (odom), ");
+  expectRefusedFrom(stampedPose("odom", {3.0, 0.0, 0.0}), "no plan: the start is 3.000000 m from the robot (/odom), ");
 }
 
 TEST_F(PlannerTest, GoalFarOutsideARollingCostmapIsAccepted) {

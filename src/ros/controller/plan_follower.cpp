@@ -98,8 +98,9 @@ MotionCommand PlanFollower::compute() {
 
 std::string PlanFollower::whyIdle() const {
   if (idle_.idle() == 0.0) return "";
-  return "for " + fixedText(idle_.idle(), 0) + " s the commands on " + ros::NodeHandle().resolveName("cmd_vel") +
-         " were to move, and by the odometry on " + parameters_.sensors.odom_topic + " it did not";
+  const ros::NodeHandle node;
+  return "for " + fixedText(idle_.idle(), 0) + " s the commands on " + node.resolveName("cmd_vel") +
+         " were to move, and by the odometry on " + node.resolveName(parameters_.sensors.odom_topic) + " it did not";
 }
 
 std::string PlanFollower::whatBlocks(const std::string& why) const {

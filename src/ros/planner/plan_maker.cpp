@@ -167,7 +167,7 @@ void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2&
   const double distance = distanceBetween(start.pose.position, robot);
   if (!(distance <= kFarthestStart)) {
     throw PlanRefused("the start is " + std::to_string(distance) + " m from the robot (" +
-                      parameters_.sensors.odom_topic +
+                      ros::NodeHandle().resolveName(parameters_.sensors.odom_topic) +
                       "), plans are made only from where it stands: if tf has the pose of another odometry, as of an "
                       "EKF, odom_topic must be the topic of that one");
   }
