@@ -29,7 +29,7 @@ constexpr double kFullTurn = 2.0 * M_PI;  ///< rad
 
 /// The angle normalised to (-pi, pi], rad; NaN if the angle is not finite.
 inline double normalizeAngle(double angle) {
-  if (angle > -M_PI && angle <= M_PI) return angle;  // nearly always, and the remainder is dear
+  if (angle > -M_PI && angle <= M_PI) return angle;  // nearly always, and the remainder is slow
   const double wrapped = std::remainder(angle, kFullTurn);
   return wrapped <= -M_PI ? wrapped + kFullTurn : wrapped;
 }

@@ -12,7 +12,7 @@ namespace lstm_planner {
 /// a step below a line with the names of the columns. episode (counted from 0) and step; the inputs, by the names of
 /// the policy's input layout, encoded; and label_D for each of the `label_distances` (m): the index of the steering
 /// angle towards where the driver was after that distance, label_0 after half a second (thesis Eq. 4.1-4.2). The hidden
-/// state starts anew with each episode. Discarded episodes are left out.
+/// state is reset with each episode. Discarded episodes are left out.
 ///
 /// Throws DatasetError when the file cannot be written, std::invalid_argument when the recordings do not fit the policy
 /// (forEachRecordedEpisode()).

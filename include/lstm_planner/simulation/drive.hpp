@@ -111,8 +111,8 @@ struct DriveSummary {
   int no_path = 0;
   int timeouts = 0;
   int elsewhere = 0;
-  int touched = 0;  ///< drives that ended so
-  int stuck = 0;    ///< likewise
+  int touched = 0;  ///< drives that ended with a touch
+  int stuck = 0;    ///< drives that ended stuck
   double mean_ratio = 0.0;
   double p95_ratio = 0.0;
   double mean_time = 0.0;        ///< s, of those that arrived

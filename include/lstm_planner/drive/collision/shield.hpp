@@ -17,7 +17,7 @@ class FootprintSweep;
 /// without moving: that is always free. The corners of a polygon sweep what is around it.
 class Shield {
  public:
-  /// `hard_margin`: m, see freeDistance(). `reach`: farthest obstacle that is looked at, m. Throws
+  /// `hard_margin`: m, see freeDistance(). `reach`: farthest obstacle that counts, m. Throws
   /// std::invalid_argument unless 0 <= margin and circumscribed radius + margin < reach.
   Shield(const Footprint& footprint, double hard_margin, double reach);
 

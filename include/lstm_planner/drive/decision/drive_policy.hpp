@@ -20,7 +20,7 @@ struct PolicyDescription {
   double step_length = 0.4;           ///< m
   double footprint_radius = 0.17425;  ///< m, of the robot that it was trained with
   double smallest_radius = 0.0;       ///< m, of the robots that it was tried with; 0 = not known
-  double largest_radius = 0.0;        ///< m, likewise
+  double largest_radius = 0.0;        ///< m, of the robots that it was tried with; 0 = not known
 };
 
 /// To and from the metadata of a model file (keys of the encoder, and: action_angles, step_length, robot_radius,

@@ -10,7 +10,7 @@ class GoalChanges {
   /// Why the drive so far was forgotten.
   enum class Fresh {
     kNo,        ///< it was not
-    kNewGoal,   ///< the goal was given anew
+    kNewGoal,   ///< a goal was given, perhaps the same one again
     kJump,      ///< odometry or localisation jumped: what was seen is forgotten, too
     kGoalMoved  ///< the goal moved farther than localisation corrects while the odometry is sound
   };

@@ -33,7 +33,7 @@ class CostToGo {
   /// takes the one that keeps nearest to that column and row, which may lie outside the window.
   bool search(LocalMap& memory, int start, const std::vector<End>& ends, int column, int row);
 
-  /// Likewise from another cell to the ends of the last search. The memory must not have changed since.
+  /// The same from another cell to the ends of the last search. The memory must not have changed since.
   bool searchOn(LocalMap& memory, int start, int column, int row);
 
   /// The cells of the path that was found last, from the start to the end.

@@ -15,12 +15,12 @@ namespace lstm_planner {
 
 /// Keeps the path to the goal through what is remembered, and finds out when there is none.
 ///
-/// Remembered obstacles can be wrong (the odometry drifts, people go away). So when they enclose the goal everything is
-/// forgotten and looked at anew, all around, then narrower places are tried; only what is closed even so, seen from one
-/// place, several times in a row, is believed.
+/// Remembered obstacles can be wrong (the odometry drifts, people go away). So when they enclose the goal, everything
+/// is forgotten and the robot looks around again; then narrower places are tried. The goal counts as enclosed only if
+/// this finds no path several times in a row, at the same place.
 ///
-/// It searches at every step, and keeps the path that it has as long as the one it finds is hardly better: else every
-/// new wall would make the robot turn to and fro between two paths of about the same length. All costs are in m.
+/// It searches at every step. It keeps its path as long as the new one is hardly better: otherwise every new wall would
+/// make the robot turn back and forth between two paths of about the same length. All costs are in m.
 class Replanner {
  public:
   enum class Answer {
@@ -57,7 +57,7 @@ class Replanner {
 
   /// The start of the route turned out to be blocked although the memory does not know why.
   void blockAhead();
-  /// Likewise the straight way from `here` to `next`.
+  /// The same for the straight way from `here` to `next`.
   void blockTowards(const Point2& here, const Point2& next);
 
   /// As update() found it, until it finds none: from the robot to the goal, or to where the footprint still fits when

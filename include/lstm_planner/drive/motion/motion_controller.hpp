@@ -106,7 +106,7 @@ enum class StopReason {
   kNoPlan,       ///< waits for a plan
   kObstacle,     ///< something is within the margin of where it would drive
   kPerson,       ///< yields to what moves, or has moved
-  kStuck,        ///< it has stood before an obstacle, or tried in vain to move, for longer than the patience
+  kStuck,        ///< it has stood before an obstacle, or tried to move without success, for longer than the patience
   kIdle,         ///< it does not move, although it is told to
   kOldPlan,      ///< the plan is not renewed
   kUnusableData  ///< a pose, scan, odometry or transform is missing, too old, or makes no sense

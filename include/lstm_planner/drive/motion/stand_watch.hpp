@@ -7,16 +7,16 @@
 
 namespace lstm_planner {
 
-/// Notices that a robot does not get away from a place, whether it stands there, tries in vain to move, or moves to and
-/// fro.
+/// Notices that a robot does not get away from a place: it stands there, tries to move without success, or moves
+/// forwards and backwards.
 class StandWatch {
  public:
-  /// The robot is here at that time (s), on its way to `goal` (same frame); it was commanded to move, or not. A new
-  /// goal begins anew.
+  /// The robot is here at that time (s), on its way to `goal` (same frame); it was commanded to move, or not. With a
+  /// new goal the time starts again.
   void note(const Pose2& pose, double time, const Point2& goal, bool is_commanded);
-  /// It stands for a good reason, such as a person: the time begins anew.
+  /// It stands for a good reason, such as a person: the time starts again.
   void excuse(double time);
-  /// It is to try another way: the time begins anew.
+  /// It is to try another way: the time starts again.
   void retry();
   void clear();
 

@@ -57,8 +57,8 @@ struct ViewBearings {
   int ahead = 0;                 ///< the direction in the odometry frame, in eighths of a turn, nearest to the heading
   double goal = 0.0;             ///< rad, relative to the heading
   double previous_action = 0.0;  ///< rad, relative to the heading as it is now
-  Point2 goal_direction;         ///< of length 1, likewise
-  Point2 previous_direction;     ///< of length 1, likewise
+  Point2 goal_direction;         ///< of length 1, from `goal`
+  Point2 previous_direction;     ///< of length 1, from `previous_action`
   Point2 motion;                 ///< m, since the step before, in the robot's frame as it is now
 };
 

@@ -24,7 +24,7 @@ class TwistWatch {
   };
 
   /// The next measurement, finite; `stamp` in s, `pose` in the odometry's frame, `twist` in the base frame. One of the
-  /// same stamp replaces the last one; one of an earlier stamp, or after a long pause, begins anew, as restart().
+  /// same stamp replaces the last one; one of an earlier stamp, or after a long pause, starts again, as restart().
   void note(double stamp, const Pose2& pose, const Twist2& twist);
 
   /// The next pose does not continue the last ones: the odometry jumped. What is known of the twist stays.

@@ -22,7 +22,7 @@ class MarkerPublisher {
   /// `trace_length`: poses of the trace that are kept.
   MarkerPublisher(ros::NodeHandle node_handle, const PolicyDescription& description, int trace_length);
 
-  /// `header`: time and odometry frame; `goal` in that frame. Cheap while nobody listens.
+  /// `header`: time, and the frame of poses and goal. Cheap while nobody listens.
   void publish(const std_msgs::Header& header, const Situation& situation, const Decision& decision, const Pose2& goal);
 
   void clearTrace() { trace_.clear(); }
