@@ -18,7 +18,7 @@ constexpr GridLeader kLeaders[] = {GridLeader::kNetwork, GridLeader::kSearch, Gr
 
 std::string percent(double share, int decimals) { return fixedText(100.0 * share, decimals) + '%'; }
 
-/// A mean over the scenarios with success, of which there may be none.
+/// A mean over the scenarios with success, or over steps: there may be none.
 std::string meanText(double mean, int decimals) { return std::isfinite(mean) ? fixedText(mean, decimals) : "-"; }
 
 std::vector<std::string> cellsOf(const GridSetSummary& summary, std::size_t name_width) {
@@ -35,7 +35,7 @@ std::vector<std::string> cellsOf(const GridSetSummary& summary, std::size_t name
           meanText(summary.mean_optimal, 1),
           meanText(1e3 * summary.mean_time, 4),
           meanText(summary.mean_expanded, 1),
-          fixedText(summary.ns_per_step, 1),
+          meanText(summary.ns_per_step, 1),
           fixedText(static_cast<double>(summary.peak_bytes) / 1024.0, 1),
           percent(ledBy(summary, GridLeader::kNetwork), 1),
           percent(ledBy(summary, GridLeader::kSearch), 1),

@@ -226,6 +226,12 @@ TEST(GridSummary, HasNoMeanWhereNoneArrived) {
   EXPECT_NE(json.dump().find("\"median_ratio\":null"), std::string::npos);
 }
 
+TEST(GridSummary, HasNoTimeAStepWhereNoStepWasMade) {
+  std::ostringstream out;
+  printGridSummaries(out, {summarizeGridEpisodes("Rows", {episodeOf(GridEpisode::End::kArrived, 0, 0.0)})});
+  EXPECT_EQ(out.str().find("nan"), std::string::npos) << out.str();
+}
+
 TEST(GridSummary, RefusesNoEpisodes) { EXPECT_THROW(summarizeGridEpisodes("set", {}), std::invalid_argument); }
 
 TEST(GridSummary, PrintsOneLineASet) {
