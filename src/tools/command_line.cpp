@@ -72,6 +72,15 @@ void refuseMissingValues(const CLI::App& app) {
   }
 }
 
+/// Two names of one file, which need not be there yet. A device may be written twice.
+bool isSameFile(const std::string& a, const std::string& b) {
+  namespace fs = std::filesystem;
+  std::error_code unknown;
+  if (fs::exists(a, unknown)) return fs::is_regular_file(a, unknown) && fs::equivalent(a, b, unknown);
+  return fs::weakly_canonical(fs::absolute(a, unknown), unknown) ==
+         fs::weakly_canonical(fs::absolute(b, unknown), unknown);
+}
+
 /// False when the help was asked for.
 bool parseWith(CLI::App* app, const std::vector<std::string>& arguments) {
   try {
@@ -191,6 +200,11 @@ Option& Option::oneAtATime() {
 
 Option& Option::changesNoResult() {
   changes_result = false;
+  return *this;
+}
+
+Option& Option::mayBeReplaced() {
+  may_be_replaced = true;
   return *this;
 }
 
@@ -382,7 +396,24 @@ void CommandLine::checkOutputs() const {
     if (output.is_new && std::filesystem::exists(*output.path)) {
       throw std::invalid_argument("--" + output.name + " is '" + *output.path + "': there is such a file already");
     }
+    checkNotUsed(output);
     checkWritable(*output.path);
+  }
+}
+
+/// What is written is not to destroy what is read, such as a recording, nor what is written beside it.
+void CommandLine::checkNotUsed(const Output& output) const {
+  for (const Option& option : options_) {
+    const std::string name = "--" + output.name;
+    if (option.name == name || option.may_be_replaced || option.value_name.compare(0, 4, "FILE") != 0) continue;
+    const nlohmann::json value = option.value();
+    const std::vector<std::string> paths =
+        value.is_array() ? value.get<std::vector<std::string>>() : std::vector<std::string>{value.get<std::string>()};
+    for (const std::string& path : paths) {
+      if (path.empty() || !isSameFile(*output.path, path)) continue;
+      throw std::invalid_argument(name + " is '" + *output.path + "', which is also the file of " + option.name +
+                                  ", expected another file");
+    }
   }
 }
 

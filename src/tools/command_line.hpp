@@ -62,6 +62,7 @@ struct Option {
   Option& standsAlone();  ///< its values may stand without its name
   Option& oneAtATime();   ///< of a list: each time that it is named it takes one value
   Option& changesNoResult();
+  Option& mayBeReplaced();  ///< of a file that is read: an output may be the same one
 
   std::string name;        ///< with --
   std::string value_name;  ///< in the help; empty for a flag, which takes no value
@@ -73,6 +74,7 @@ struct Option {
   bool stands_alone = false;
   bool is_given = false;
   bool changes_result = true;  ///< of a training
+  bool may_be_replaced = false;
   /// Checks the values and puts them where they belong.
   std::function<void(const std::vector<std::string>& values)> take;
   std::function<nlohmann::json()> value;  ///< that it has now
@@ -207,6 +209,7 @@ class CommandLine {
     const std::string* path;
     bool is_new;
   };
+  void checkNotUsed(const Output& output) const;
   std::vector<Output> outputs_;
 };
 

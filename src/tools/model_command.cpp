@@ -167,7 +167,7 @@ bool readConversion(const std::vector<std::string>& arguments, Conversion* conve
   CommandLine line("model convert", "adds the metadata to a network that was exported elsewhere");
   // Read when it is taken: the options behind it change what the model says.
   const auto read = [conversion](const std::string& file) { readModel(file, conversion); };
-  line.addText("file", "", read, "the ONNX file").required().standsAlone().value_name = "FILE";
+  line.addText("file", "", read, "the ONNX file").required().standsAlone().mayBeReplaced().value_name = "FILE";
   line.addOutput("output", &conversion->output, "ONNX file to write").required();
   line.addChoice("task", &conversion->task, {"robot", "grid"}, "what the network was made for: robot or grid");
   line.add("views", &conversion->views, {1, 8},

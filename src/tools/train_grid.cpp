@@ -124,7 +124,8 @@ void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrain
             "goal: the blind spots of thesis ch. 5");
   line->add("method", &o.method, "imitation, dagger or q-learning");
   addShapeOptions(&o.shape, {64, 64, 64, 64}, line);
-  line->addFile("from", &o.from, "ONNX file to start from, instead of random weights; it determines the layers");
+  line->addFile("from", &o.from, "ONNX file to start from, instead of random weights; it determines the layers")
+      .mayBeReplaced();
   line->addOutput("output", &o.loop.output, "ONNX file to write: the best so far on the validation maps").required();
   line->addOutput("curve", &o.curve, "PNG file for the learning curve; a CSV file is written beside it");
   line->addOutput("checkpoint", &o.loop.checkpoint, "checkpoint file: is written, and continued from if it exists");

@@ -29,7 +29,7 @@ struct RobotReinforcementPlan {
 void addOptions(const std::vector<std::string>& arguments, RobotReinforcementPlan* plan, CommandLine* line) {
   DriveActorCriticParameters& p = plan->learner;
   addRobotTrainingOptions(arguments, &plan->options, line);
-  line->addFile("init", &plan->init, "model file to start from; it determines layers and inputs");
+  line->addFile("init", &plan->init, "model file to start from; it determines layers and inputs").mayBeReplaced();
   line->addOutput("checkpoint", &plan->options.loop.checkpoint,
                   "checkpoint file: is written, and continued from if it exists");
   line->addChoice("keep", &plan->options.loop.keep_last, {{"best", false}, {"last", true}},

@@ -93,7 +93,7 @@ void addDataOptions(DatasetTrainingOptions* o, CommandLine* line) {
 
 void addNetworkOptions(DatasetTrainingOptions* o, CommandLine* line) {
   line->section("the network");
-  line->addFile("init", &o->init, "model file to start from; it determines layers and inputs");
+  line->addFile("init", &o->init, "model file to start from; it determines layers and inputs").mayBeReplaced();
   line->addOutput("output", &o->loop.output, "ONNX file to write: the best epoch").required();
   line->addOutput("checkpoint", &o->loop.checkpoint, "checkpoint file: is written, and continued from if it exists");
   line->add("snapshots", &o->snapshots, {0, kAnyCount.most},

@@ -187,6 +187,10 @@ TEST_F(TrainDatasetTool, BadOptionsAreRefusedWithASentenceBeforeAnythingIsWritte
       "exclude each other");
   expectRefusal("--dataset drives.dataset --output model.onnx --validation-dataset drives.dataset",
                 "in the training set and in the validation set");
+  expectRefusal("--dataset drives.dataset --output drives.dataset",
+                "--output is 'drives.dataset', which is also the file of --dataset");
+  expectRefusal("--dataset drives.dataset --output model.onnx --checkpoint ./model.onnx",
+                "'model.onnx', which is also the file of --checkpoint");
   expectRefusal("--dataset drives.dataset --output no_such_folder/model.onnx", "cannot write 'no_such_folder");
   std::ofstream(in("text.dataset")) << "not a database";
   expectRefusal("--dataset text.dataset --output model.onnx", "text.dataset");
