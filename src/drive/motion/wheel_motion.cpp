@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kPiece = 0.025;    // s for which the wheels are taken to turn evenly
 constexpr double kStanding = 0.01;  // m/s
+constexpr double kFastest = 20.0;   // m/s; an odometry that says more is wrong, and braking from it is long to compute
 
 }  // namespace
 
@@ -30,6 +31,8 @@ WheelMotion::WheelMotion(const MotionParameters& parameters, const MotionSituati
       current_(situation.current) {
   // A circle never drives backwards.
   if (shield_.footprint().isCircle()) current_.linear = std::max(0.0, current_.linear);
+  const double share = kFastest / std::max(kFastest, rim(current_));
+  current_ = {share * current_.linear, share * current_.angular};
 }
 
 double WheelMotion::free(const Twist2& command) {

@@ -83,6 +83,18 @@ int wallsThatHinder(double wheel_acceleration) {
   return walls;
 }
 
+TEST(MotionOnWheels, AnOdometryThatSaysWhatNoRobotDrivesIsAnsweredInTime) {
+  const MotionController controller(limitsOfLargeRobot());
+  const std::vector<Pose2> plan = test::planAlong({{0.0, 0.0}, {3.0, 0.0}});
+  const std::vector<Point2> corners = {{0.3, 0.2}, {-0.3, 0.2}, {-0.3, -0.2}, {0.3, -0.2}};
+  for (const Footprint& footprint : {Footprint(kRadius), Footprint(corners)}) {
+    const Shield shield(footprint, 0.03, 6.0);
+    for (const Twist2& twist : {Twist2{1e9, 0.0}, Twist2{0.0, -1e9}, Twist2{-1e9, 1e9}}) {
+      EXPECT_TRUE(std::isfinite(controller.compute({plan, {}, twist, shield, kPeriod}).linear));
+    }
+  }
+}
+
 TEST(MotionOnWheels, TheSlowerItsWheelsTheEarlierARobotBrakesBeforeItTurns) {
   const int as_told = wallsThatHinder(0.0);
   EXPECT_EQ(as_told, wallsThatHinder(limitsOfLargeRobot().linear_acceleration));
