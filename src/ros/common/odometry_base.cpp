@@ -3,6 +3,7 @@
 #include <tf2/exceptions.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "lstm_planner/ros/common/scanner_mounts.hpp"
@@ -10,6 +11,7 @@
 namespace lstm_planner {
 
 bool OdometryBase::setFrame(const std::string& frame) {
+  problem_.clear();
   is_known_ = frame.empty() || frame == base_frame_;
   if (is_known_) return place({});
   try {
@@ -17,6 +19,9 @@ bool OdometryBase::setFrame(const std::string& frame) {
     is_known_ = isFinite(base);
     return is_known_ && place(base);
   } catch (const tf2::TransformException&) {
+    return false;
+  } catch (const std::invalid_argument&) {
+    problem_ = frame + " is tilted by more than 15 degrees against " + base_frame_;
     return false;
   }
 }

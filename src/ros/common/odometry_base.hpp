@@ -21,6 +21,8 @@ class OdometryBase {
 
   /// tf connects that frame with the base.
   bool isKnown() const { return is_known_; }
+  /// Why an odometry of that frame says nothing of the floor; empty where it does.
+  const std::string& problem() const { return problem_; }
 
   Pose2 poseOf(const Pose2& odometry) const { return compose(odometry, base_); }
   /// `sideways`: the other component of the odometry's speed, m/s.
@@ -33,6 +35,7 @@ class OdometryBase {
   std::string base_frame_;
   Pose2 base_;  ///< in the odometry's child frame
   bool is_known_ = true;
+  std::string problem_;
 };
 
 }  // namespace lstm_planner

@@ -188,6 +188,9 @@ void SensorListener::checkOdometry(const ros::Time& now) const {
   }
   checkAge(secondsBetween(odometry_stamp_, now), secondsBetween(odometry_received_, now), odometryTimeout(), topic,
            "odom_timeout");
+  if (!odometry_base_.problem().empty()) {
+    throw SensorError("the odometry on " + topic + " cannot be used: its child_frame_id " + odometry_base_.problem());
+  }
   if (!odometry_is_finite_ || history_.empty()) {
     throw SensorError("the odometry on " + topic + " has a pose or twist that is not finite, or a zero quaternion");
   }

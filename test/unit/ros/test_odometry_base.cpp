@@ -49,5 +49,17 @@ TEST_F(OdometryBaseTest, ANameThatTfDoesNotKnowIsOfTheBaseUntilItDoes) {
   EXPECT_EQ(base_.poseOf({1.0, 0.0, 0.0}).x, 1.0);
 }
 
+TEST_F(OdometryBaseTest, SaysSoIfTheFrameIsTilted) {
+  geometry_msgs::TransformStamped down = toMessage(Pose2{0.3, 0.0, 0.0}, "base_footprint", "camera");
+  down.transform.rotation.y = std::sin(0.2);
+  down.transform.rotation.w = std::cos(0.2);
+  tf_.setTransform(down, "test", true);
+  EXPECT_FALSE(base_.setFrame("camera"));
+  EXPECT_EQ(base_.problem(), "camera is tilted by more than 15 degrees against base_footprint");
+  placeCamera({0.3, 0.0, 0.0});
+  EXPECT_TRUE(base_.setFrame("camera"));
+  EXPECT_EQ(base_.problem(), "");
+}
+
 }  // namespace
 }  // namespace lstm_planner::test_odometry_base
