@@ -16,6 +16,7 @@
 #include "ros/fixtures/ros_program.hpp"
 #include "support/real_data.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/shell.hpp"
 
 namespace lstm_planner::recorded_bags {
 namespace {
@@ -118,6 +119,7 @@ TEST(RecordedBagTest, GoalsAndTheirEndsAreThoseOfTheBag) {
   EXPECT_EQ(outcome.result.scan_topic, "/scan");
   EXPECT_EQ(outcome.result.odometry_source, "/odom");
   EXPECT_EQ(outcome.result.odometry_frame, "odom");
+  EXPECT_EQ(outcome.result.base_frame, "base_footprint");
   EXPECT_EQ(outcome.result.goals, 6);    // one of the five was passed on
   EXPECT_EQ(outcome.result.scans, 320);  // 32 s at 10 Hz
   EXPECT_EQ(outcome.result.odometry, 320);
@@ -438,20 +440,50 @@ TEST(RecordedBagTest, AGoalIsTakenWhateverItsStampUnlessItIsTooFarAway) {
   EXPECT_EQ(outcome.recording.rejections[static_cast<std::size_t>(Rejection::kNotFinite)], 1);
 }
 
-TEST(RecordedBagTest, AScanThatSaysItIsLongerThanItsMessageIsLeftOut) {
+/// With a scan that says it is longer than its message.
+std::string withBrokenScan(const std::string& name) {
   sensor_msgs::LaserScan scan;
   const std::string frame = "the_broken_frame";
   scan.header.frame_id = frame;
-  const std::string path = withMessage("broken_scan.bag", "/scan", scan);
+  const std::string path = withMessage(name, "/scan", scan);
   std::string bytes = bytesOf(path);
   constexpr std::size_t kLimits = 7 * sizeof(float);
   const std::size_t count = bytes.rfind(frame) + frame.size() + kLimits;
   bytes.replace(count, 4, std::string("\0\0\0\x40", 4));  // 2^30 ranges
   writeBytes(path, bytes);
-  const Outcome outcome = recorded(path);
+  return path;
+}
+
+TEST(RecordedBagTest, AScanThatSaysItIsLongerThanItsMessageIsLeftOut) {
+  const Outcome outcome = recorded(withBrokenScan("broken_scan.bag"));
   EXPECT_EQ(outcome.result.skipped, 1);
   EXPECT_NE(outcome.result.first_skipped.find("/scan at "), std::string::npos) << outcome.result.first_skipped;
   EXPECT_EQ(outcome.recording.episodes.size(), 5u);
+}
+
+TEST(RecordedBagTest, TheClockIsThatOfTheMessagesThatCount) {
+  nav_msgs::Odometry odometry;
+  odometry.header.frame_id = "odom";
+  odometry.header.stamp = ros::Time(4294967295U, 0);
+  odometry.pose.pose.orientation.w = 1.0;
+  const auto difference = recorded(written("whole.bag")).result.clock_difference;
+  ASSERT_TRUE(difference.has_value());
+  EXPECT_EQ(recorded(withMessage("odometry_ahead.bag", "/odom", odometry)).result.clock_difference, difference);
+  DriveBagContent other_clock;
+  other_clock.clock_ahead = 100.0;
+  const auto ahead = recorded(written("other_clock.bag", other_clock)).result.clock_difference;
+  EXPECT_NEAR(static_cast<double>(ahead.value() - *difference), 100e9, 1e3);
+}
+
+TEST(RecordedBagTest, WhatCannotBeUsedDoesNotEndAReplay) {
+  nav_msgs::Odometry ahead;
+  ahead.header.stamp = ros::Time(4294967295U, 0);
+  for (const std::string& path :
+       {withMessage("odometry_ahead.bag", "/odom", ahead), withBrokenScan("broken_scan.bag")}) {
+    const test::Outcome replay = test::runShell("rosrun lstm_planner bag_replay _rate:=0 _patience:=0 _bag:=" + path);
+    EXPECT_EQ(replay.status, 0) << replay.output;
+    EXPECT_NE(replay.output.find(" decisions in "), std::string::npos) << replay.output;
+  }
 }
 
 TEST(RecordedBagTest, BagsThatWereCutOffAreRefusedInASentence) {

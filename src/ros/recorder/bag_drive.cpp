@@ -231,20 +231,24 @@ class BagPlayer {
 class Survey : public BagListener {
  public:
   Survey(const BagDriveOptions& options, const RecorderParameters& parameters)
-      : base_frame_(frameName(options.base_frame)), order_(parameters.delay, parameters.max_gap) {}
+      : order_(parameters.delay, parameters.max_gap) {
+    result.base_frame = frameName(options.base_frame);
+  }
 
   void hear(const sensor_msgs::LaserScan& scan, const ros::Time& received) override {
     note(received);
+    noteClock(scan.header.stamp, received);
     ++result.scans;
-    scan_frame_ = frameName(scan.header.frame_id);
+    result.scan_frame = frameName(scan.header.frame_id);
   }
 
   void hear(const nav_msgs::Odometry& odometry, const ros::Time& received) override {
     note(received);
+    noteClock(odometry.header.stamp, received);
     ++result.odometry;
     result.odometry_frame = frameName(odometry.header.frame_id);
     const std::string robot_frame = robotFrameOf(odometry);
-    if (!robot_frame.empty()) base_frame_ = robot_frame;
+    if (!robot_frame.empty()) result.base_frame = robot_frame;
     const OdometryHeard heard{stampOr(odometry.header.stamp, received).toSec(), fromMessage(odometry.pose.pose), {}};
     if (isFinite(heard.pose)) put(heard);
   }
@@ -264,14 +268,15 @@ class Survey : public BagListener {
 
   /// A guess would make steps that look right and are wrong.
   void requireMount(const tf2::BufferCore& tf) const {
-    if (scan_frame_.empty()) {
+    if (result.scan_frame.empty()) {
       throw std::invalid_argument(
           "has scans without a frame, expected one in header.frame_id, or the scanner's pose as "
           "--mount");
     }
-    if (scan_frame_ == base_frame_ || tf.canTransform(base_frame_, scan_frame_, ros::Time(0))) return;
+    if (result.scan_frame == result.base_frame || tf.canTransform(result.base_frame, result.scan_frame, ros::Time(0)))
+      return;
     throw std::invalid_argument(
-        "has no transform from " + base_frame_ + " to the scanner's frame " + scan_frame_ +
+        "has no transform from " + result.base_frame + " to the scanner's frame " + result.scan_frame +
         ": expected it on /tf_static or /tf, in this part or, if the recording was split, in one "
         "that is given with it, or the scanner's pose as --mount");
   }
@@ -282,6 +287,12 @@ class Survey : public BagListener {
   void note(const ros::Time& received) {
     if (result.start == 0.0) result.start = received.toSec();
     result.duration = std::max(result.duration, received.toSec() - result.start);
+  }
+
+  void noteClock(const ros::Time& stamp, const ros::Time& received) {
+    if (stamp.isZero()) return;
+    const auto difference = static_cast<std::int64_t>(received.toNSec()) - static_cast<std::int64_t>(stamp.toNSec());
+    result.clock_difference = std::min(difference, result.clock_difference.value_or(difference));
   }
 
   void put(const OdometryHeard& heard) {
@@ -297,8 +308,6 @@ class Survey : public BagListener {
     while (const std::optional<DriveEvent> event = order_.take(all)) path_.push_back(std::get<OdometryHeard>(*event));
   }
 
-  std::string base_frame_;
-  std::string scan_frame_;
   EventOrder order_;
   std::vector<OdometryHeard> path_;
 };

@@ -14,7 +14,9 @@
 #include <tf2_ros/static_transform_broadcaster.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -28,55 +30,41 @@
 #include "lstm_planner/ros/recorder/bag_drive.hpp"
 #include "lstm_planner/ros/replay/decision_display.hpp"
 #include "ros/common/node_main.hpp"
+#include "ros/common/timing.hpp"
 #include "ros/recorder/bag_message.hpp"
 
 namespace lstm_planner {
 namespace {
 
 const ros::WallDuration kSettling(0.5);  // within which a computer that is not too busy makes and serves connections
+constexpr double kFarAhead = 3600.0;     // s; a stamp so far ahead would make tf forget all others
 constexpr int kQueue = 1000;             // what is played as fast as possible comes faster than it is sent
 
 /// Plays the scans, odometry, transforms and map of a bag on /clock, scan, odom, /tf, /tf_static and map.
 ///
-/// The clock is the sensors': the recording computer's may differ from theirs, so the message that was on its way for
-/// the shortest time is taken to have arrived at its stamp. Where the bag has no transforms of its own, the robot's
-/// pose comes from the odometry.
+/// The clock is the sensors', from which the recording computer's may differ. Where the bag has no transforms of its
+/// own, the robot's pose comes from the odometry. What recordBags() had to skip is not played.
 class BagReplayPlayer {
  public:
-  /// What of the bag is played; empty what it does not have.
-  struct Topics {
-    std::string scan;
-    std::string odometry;
-    std::string transforms;
-    std::string static_transforms;
-  };
-
-  /// Of a bag that recordBags() has read.
-  BagReplayPlayer(const std::string& path, const Topics& topics);
-
-  /// The robot's, as the odometry names it; empty where it does not.
-  const std::string& baseFrame() const { return base_frame_; }
+  /// `drive`: what recordBags() has made of the bag.
+  BagReplayPlayer(const std::string& path, const BagDriveResult& drive);
 
   /// Tells viewers where the scanner sits, for bags that do not.
-  void placeScanner(const SensorMount& mount, const std::string& base_frame);
+  void placeScanner(const SensorMount& mount);
 
   /// `rate`: s of the recording in a second, 0 = as fast as possible. `at` is called with the time of the recording
   /// before each of its messages. Ends early when the node is shut down.
   void play(double rate, const std::function<void(const ros::Time&)>& at);
 
  private:
-  void readClock();
   void waitUntil(const ros::Time& time, double rate);
   void tellTime(const ros::Time& time);
-  void publish(const rosbag::MessageInstance& message);
+  void publish(const rosbag::MessageInstance& message, const ros::Time& time);
   void publishPose(const nav_msgs::Odometry& odometry);
 
   rosbag::Bag bag_;
-  Topics topics_;
-  ros::Duration clock_difference_{ros::DURATION_MAX};  ///< recording computer's less the sensors'
-  std::string odometry_frame_;
-  std::string base_frame_;
-  std::string scan_frame_;
+  BagDriveResult drive_;
+
   ros::NodeHandle node_;
   ros::Publisher clock_;
   ros::Publisher scans_;
@@ -88,40 +76,18 @@ class BagReplayPlayer {
   ros::WallTime wall_began_;
 };
 
-BagReplayPlayer::BagReplayPlayer(const std::string& path, const Topics& topics)
-    : topics_(topics),
+BagReplayPlayer::BagReplayPlayer(const std::string& path, const BagDriveResult& drive)
+    : drive_(drive),
       clock_(node_.advertise<rosgraph_msgs::Clock>("/clock", kQueue)),
       scans_(node_.advertise<sensor_msgs::LaserScan>("scan", kQueue)),
       odometry_(node_.advertise<nav_msgs::Odometry>("odom", kQueue)),
       transforms_(node_.advertise<tf2_msgs::TFMessage>("/tf", kQueue)),
       map_(node_.advertise<nav_msgs::OccupancyGrid>("map", 1, true)) {
   bag_.open(path);
-  readClock();
 }
 
-void BagReplayPlayer::readClock() {
-  rosbag::View sensors(bag_, rosbag::TopicQuery(std::vector<std::string>{topics_.scan, topics_.odometry}));
-  for (const rosbag::MessageInstance& message : sensors) {
-    std_msgs::Header header;
-    if (const auto scan = messageOf<sensor_msgs::LaserScan>(message)) {
-      header = scan->header;
-      if (scan_frame_.empty()) scan_frame_ = frameName(header.frame_id);
-    } else if (const auto odometry = messageOf<nav_msgs::Odometry>(message)) {
-      header = odometry->header;
-      if (odometry_frame_.empty()) odometry_frame_ = frameName(header.frame_id);
-      if (base_frame_.empty()) base_frame_ = robotFrameOf(*odometry);
-    }
-    if (!header.stamp.isZero()) {
-      clock_difference_ = std::min(clock_difference_, message.getTime() - header.stamp);
-    }
-  }
-  if (clock_difference_ == ros::DURATION_MAX) {
-    clock_difference_ = ros::Duration(0.0);
-  }
-}
-
-void BagReplayPlayer::placeScanner(const SensorMount& mount, const std::string& base_frame) {
-  static_transforms_.sendTransform(mountToMessage(mount, base_frame, scan_frame_));
+void BagReplayPlayer::placeScanner(const SensorMount& mount) {
+  static_transforms_.sendTransform(mountToMessage(mount, drive_.base_frame, drive_.scan_frame));
 }
 
 void BagReplayPlayer::play(double rate, const std::function<void(const ros::Time&)>& at) {
@@ -131,11 +97,16 @@ void BagReplayPlayer::play(double rate, const std::function<void(const ros::Time
     if (!ros::ok()) {
       return;
     }
-    const ros::Time time = message.getTime() - clock_difference_;
+    ros::Time time;
+    time.fromNSec(message.getTime().toNSec() - static_cast<std::uint64_t>(drive_.clock_difference.value_or(0)));
     waitUntil(time, rate);
     tellTime(time);
     at(time);
-    publish(message);
+    try {
+      publish(message, time);
+    } catch (const ros::Exception&) {
+      // Its bytes are not those of such a message.
+    }
   }
 }
 
@@ -161,18 +132,25 @@ void BagReplayPlayer::tellTime(const ros::Time& time) {
   clock_.publish(clock);
 }
 
-void BagReplayPlayer::publish(const rosbag::MessageInstance& message) {
+void BagReplayPlayer::publish(const rosbag::MessageInstance& message, const ros::Time& time) {
+  const auto isPlausible = [&](const auto& stamped) { return secondsBetween(time, stamped.header.stamp) <= kFarAhead; };
   const std::string& topic = message.getTopic();
-  if (topic == topics_.scan) {
-    if (const auto scan = messageOf<sensor_msgs::LaserScan>(message)) scans_.publish(scan);
-  } else if (topic == topics_.odometry) {
+  if (topic == drive_.scan_topic) {
+    const auto scan = messageOf<sensor_msgs::LaserScan>(message);
+    if (scan && isPlausible(*scan)) scans_.publish(scan);
+  } else if (topic == drive_.transforms) {
+    const auto transforms = messageOf<tf2_msgs::TFMessage>(message);
+    if (!transforms) return;
+    tf2_msgs::TFMessage plausible;
+    std::copy_if(transforms->transforms.begin(), transforms->transforms.end(), std::back_inserter(plausible.transforms),
+                 isPlausible);
+    transforms_.publish(plausible);
+  } else if (topic == drive_.odometry_source) {
     const auto odometry = messageOf<nav_msgs::Odometry>(message);
-    if (!odometry) return;
+    if (!odometry || !isPlausible(*odometry)) return;
     odometry_.publish(odometry);
-    if (topics_.transforms.empty()) publishPose(*odometry);
-  } else if (topic == topics_.transforms) {
-    if (const auto transforms = messageOf<tf2_msgs::TFMessage>(message)) transforms_.publish(transforms);
-  } else if (topic == topics_.static_transforms) {
+    if (drive_.transforms.empty()) publishPose(*odometry);
+  } else if (topic == drive_.static_transforms) {
     const auto transforms = messageOf<tf2_msgs::TFMessage>(message);
     if (transforms) static_transforms_.sendTransform(transforms->transforms);
   } else if (const auto map = messageOf<nav_msgs::OccupancyGrid>(message)) {
@@ -183,7 +161,7 @@ void BagReplayPlayer::publish(const rosbag::MessageInstance& message) {
 void BagReplayPlayer::publishPose(const nav_msgs::Odometry& odometry) {
   tf2_msgs::TFMessage transforms;
   transforms.transforms.push_back(
-      toMessage(fromMessage(odometry.pose.pose), odometry_frame_, base_frame_, odometry.header.stamp));
+      toMessage(fromMessage(odometry.pose.pose), drive_.odometry_frame, drive_.base_frame, odometry.header.stamp));
   transforms_.publish(transforms);
 }
 
@@ -221,17 +199,13 @@ BagReplay::BagReplay(const BagReplayParameters& parameters)
           {parameters.bag}, parameters.drive,
           replayParameters(replay_.description(), parameters.planner.agent, parameters.planner.sensors.scan_rules),
           &replay_)),
-      player_(parameters.bag, {drive_.scan_topic, drive_.odometry_source == "tf" ? "" : drive_.odometry_source,
-                               drive_.transforms, drive_.static_transforms}),
+      player_(parameters.bag, drive_),
       display_(replay_.description()) {
   if (replay_.decisions().empty()) {
     throw std::invalid_argument("there is no step to decide about in '" + parameters_.bag +
                                 "': " + describeReplay(replay_));
   }
-  if (parameters_.drive.mount) {
-    player_.placeScanner(*parameters_.drive.mount,
-                         player_.baseFrame().empty() ? parameters_.drive.base_frame : player_.baseFrame());
-  }
+  if (parameters_.drive.mount) player_.placeScanner(*parameters_.drive.mount);
   if (parameters_.decisions.empty()) return;
   writeOutputFile("file", parameters_.decisions,
                   [this](std::ostream& file) { writeDecisions(replay_.decisions(), &file); });

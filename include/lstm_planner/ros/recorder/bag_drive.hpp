@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,8 +35,13 @@ struct BagDriveResult {
   std::string scan_topic;
   std::string odometry_source;  ///< a topic, or "tf"
   std::string odometry_frame;
+  std::string base_frame;  ///< the robot's, as the odometry names it, or else that of the options
+  std::string scan_frame;
   std::string transforms;                ///< topic; empty: there are none
   std::string static_transforms;         ///< topic; empty: there are none
+  /// ns, the recording computer's clock less the sensors', if the message that was on its way for the shortest time
+  /// took none; empty: nothing has a stamp.
+  std::optional<std::int64_t> clock_difference;
   std::vector<std::string> goal_topics;  ///< those of the bag that were listened to
   long skipped = 0;                      ///< messages that are broken or have a stamp far ahead of the others
   std::string first_skipped;             ///< topic, time and why
@@ -52,7 +58,7 @@ std::vector<BagParts> bagRecordings(const std::vector<std::string>& paths, doubl
 /// Replays a recording into a recorder, in the order and with the clock of its messages: the steps are those that the
 /// node dataset_recorder would have made of them. The parts are one timeline: goals and static transforms of one hold
 /// in those behind it. Beside goals move_base's cancel and result are heard, and tf: tf and tf_static, also of the
-/// type tf/tfMessage of old. Each of these names is looked for in the namespace of the scans, and then in those around
+/// old type tf/tfMessage. Each of these names is looked for in the namespace of the scans, and then in those around
 /// it. Needs no master, nor ros::init().
 ///
 /// Odometry from tf has a message for each transform of `odometry_frame`, and the speeds between them. Goals in
