@@ -95,7 +95,7 @@ void PluginDiagnostics::tell() {
     published_ = state;
     status_publisher_.publish(published_);
   }
-  const ros::WallTime now = ros::WallTime::now();
+  const ros::SteadyTime now = ros::SteadyTime::now();
   if (diagnostics_publisher_.getNumSubscribers() == 0 || now - updated_ < kDiagnosticsPeriod) return;
   updated_ = now;
   updater_.force_update();

@@ -45,7 +45,7 @@ class PluginDiagnostics {
   ros::Publisher diagnostics_publisher_;  ///< tells whether somebody listens
   ros::Publisher status_publisher_;
   diagnostic_updater::Updater updater_;
-  ros::WallTime updated_;
+  ros::SteadyTime updated_;
   diagnostic_msgs::DiagnosticStatus published_;  ///< last
   std::optional<Repeater> repeater_;             ///< last: it uses what is above
 };

@@ -83,7 +83,7 @@ bool SteeringController::computeVelocityCommands(geometry_msgs::Twist& cmd_vel) 
   cmd_vel = geometry_msgs::Twist();
   const auto costmap_lock = lockOf(costmap_);
   const std::lock_guard<std::mutex> lock(mutex_);
-  answer_.time = ros::WallTime::now();
+  answer_.time = ros::SteadyTime::now();
   if (!plan_follower_) {
     ROS_ERROR_THROTTLE(kLogPeriod, "the robot stands: the controller cannot be used: %s", why_unusable_.c_str());
     return false;
@@ -113,7 +113,7 @@ bool SteeringController::follow(geometry_msgs::Twist* cmd_vel) {
 bool SteeringController::stand(StopReason reason, const std::string& why) {
   answer_.command = {{}, reason};
   answer_.why = why;
-  answer_.stopped_since = ros::WallTime();
+  answer_.stopped_since = ros::SteadyTime();
   ROS_WARN_THROTTLE(kLogPeriod, "the robot stands: %s", why.c_str());
   return false;
 }
@@ -122,7 +122,7 @@ void SteeringController::noteStop(const MotionCommand& command) {
   answer_.command = command;
   answer_.why.clear();
   if (command.stop == StopReason::kNone || command.stop == StopReason::kArrived) {
-    answer_.stopped_since = ros::WallTime();
+    answer_.stopped_since = ros::SteadyTime();
   } else if (answer_.stopped_since.isZero()) {
     answer_.stopped_since = answer_.time;
   } else if ((answer_.time - answer_.stopped_since).toSec() > kShortStop) {
@@ -151,7 +151,9 @@ void SteeringController::startDiagnostics(const std::string& name) {
   diagnostics_->start();
 }
 
-bool SteeringController::isAsked() const { return (ros::WallTime::now() - answer_.time).toSec() <= kControllerUnasked; }
+bool SteeringController::isAsked() const {
+  return (ros::SteadyTime::now() - answer_.time).toSec() <= kControllerUnasked;
+}
 
 void SteeringController::describeStop(PluginDiagnostics::Status* status) const {
   using diagnostic_msgs::DiagnosticStatus;

@@ -54,8 +54,8 @@ class SteeringController : public nav_core::BaseLocalPlanner {
   struct Answer {
     MotionCommand command;
     std::string why;  ///< it stands
-    ros::WallTime time;
-    ros::WallTime stopped_since;  ///< zero while it is not stopped
+    ros::SteadyTime time;
+    ros::SteadyTime stopped_since;  ///< zero while it is not stopped
   };
 
   void setUp(const std::string& name, tf2_ros::Buffer* tf, costmap_2d::Costmap2DROS* costmap_ros);

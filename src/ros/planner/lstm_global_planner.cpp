@@ -75,7 +75,7 @@ bool LstmGlobalPlanner::makePlan(const geometry_msgs::PoseStamped& start, const 
     ROS_ERROR_THROTTLE(kLogPeriod, "no plan: the planner cannot be used: %s", why_unusable_.c_str());
     return false;
   }
-  const ros::WallTime begin = ros::WallTime::now();
+  const ros::SteadyTime begin = ros::SteadyTime::now();
   const auto make = [&] {
     plan_maker_->makePlan(start, goal, &plan);
     note("", begin);
@@ -91,12 +91,12 @@ bool LstmGlobalPlanner::makePlan(const geometry_msgs::PoseStamped& start, const 
 }
 
 /// A plan that somebody asked for tells nothing about the drive.
-void LstmGlobalPlanner::note(const std::string& refusal, const ros::WallTime& begin) {
+void LstmGlobalPlanner::note(const std::string& refusal, const ros::SteadyTime& begin) {
   const auto verdict = plan_maker_->verdict();
   if (verdict == GoalTracker::Verdict::kQuestion) return;
   answer_.refusal = refusal;
   answer_.is_decided = verdict.has_value();
-  answer_.time = ros::WallTime::now();
+  answer_.time = ros::SteadyTime::now();
   answer_.duration = (answer_.time - begin).toSec();
   answer_.longest = std::max(answer_.longest, answer_.duration);
 }
@@ -116,7 +116,7 @@ void LstmGlobalPlanner::startDiagnostics(const std::string& name) {
 }
 
 bool LstmGlobalPlanner::isAsked() const {
-  return plan_maker_ && (ros::WallTime::now() - answer_.time).toSec() <= kPlannerUnasked;
+  return plan_maker_ && (ros::SteadyTime::now() - answer_.time).toSec() <= kPlannerUnasked;
 }
 
 void LstmGlobalPlanner::describeState(PluginDiagnostics::Status* status) const {

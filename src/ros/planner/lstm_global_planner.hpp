@@ -51,14 +51,14 @@ class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner {
   struct Answer {
     std::string refusal;      ///< empty: there was a plan
     bool is_decided = false;  ///< the decision is of that moment, too: the answer was not refused before
-    ros::WallTime time;
+    ros::SteadyTime time;
     double duration = 0.0;  ///< s
     double longest = 0.0;   ///< s, of all so far
   };
 
   void setUp(const std::string& name, costmap_2d::Costmap2DROS* costmap_ros);
   void refuse(const std::string& name, const std::string& reason);
-  void note(const std::string& refusal, const ros::WallTime& begin);
+  void note(const std::string& refusal, const ros::SteadyTime& begin);
   void startDiagnostics(const std::string& name);
   bool isAsked() const;
   void describeState(diagnostic_updater::DiagnosticStatusWrapper* status) const;

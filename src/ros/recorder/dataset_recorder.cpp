@@ -131,8 +131,8 @@ class DatasetRecorder {
   std::optional<int> exit_code_;  ///< once nothing is recorded any more
 
   RecordingStatus status_;          ///< what is counted, and what stays as it is
-  ros::WallTime last_scan_;         ///< zero before the first
-  ros::WallTime last_odometry_;     ///< zero before the first
+  ros::SteadyTime last_scan_;       ///< zero before the first
+  ros::SteadyTime last_odometry_;   ///< zero before the first
   ros::Time odometry_stamp_;        ///< of the newest
   ros::Time goal_stamp_;            ///< of the newest odometry when the newest goal was heard
   std::deque<Snapshot> snapshots_;  ///< of the last ten seconds, one a second
@@ -207,7 +207,7 @@ void DatasetRecorder::guarded(const std::function<void()>& work) {
 void DatasetRecorder::onScan(const sensor_msgs::LaserScan::ConstPtr& scan) {
   guarded([&] {
     ++status_.scans_heard;
-    last_scan_ = ros::WallTime::now();
+    last_scan_ = ros::SteadyTime::now();
     messages_.hear(*scan, ros::Time::now());
     afterSensing();
   });
@@ -218,7 +218,7 @@ void DatasetRecorder::onOdometry(const nav_msgs::Odometry::ConstPtr& odometry) {
   guarded([&] {
     ++status_.odometry_heard;
     const ros::Time now = ros::Time::now();
-    last_odometry_ = ros::WallTime::now();
+    last_odometry_ = ros::SteadyTime::now();
     odometry_stamp_ = stampOr(odometry->header.stamp, now);
     messages_.hear(*odometry, now);
     afterSensing();
@@ -355,8 +355,8 @@ void DatasetRecorder::onTimer(const ros::WallTimerEvent&) {
 }
 
 RecordingStatus DatasetRecorder::status() const {
-  const auto silenceSince = [](const ros::WallTime& last) {
-    return last.isZero() ? std::nullopt : std::optional<double>((ros::WallTime::now() - last).toSec());
+  const auto silenceSince = [](const ros::SteadyTime& last) {
+    return last.isZero() ? std::nullopt : std::optional<double>((ros::SteadyTime::now() - last).toSec());
   };
   RecordingStatus status = status_;
   file_.describe(&status);

@@ -37,8 +37,8 @@ struct BagDriveResult {
   std::string odometry_frame;
   std::string base_frame;  ///< the robot's, as the odometry names it, or else that of the options
   std::string scan_frame;
-  std::string transforms;                ///< topic; empty: there are none
-  std::string static_transforms;         ///< topic; empty: there are none
+  std::string transforms;         ///< topic; empty: there are none
+  std::string static_transforms;  ///< topic; empty: there are none
   /// ns, the recording computer's clock less the sensors', if the message that was on its way for the shortest time
   /// took none; empty: nothing has a stamp.
   std::optional<std::int64_t> clock_difference;
