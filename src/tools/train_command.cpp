@@ -104,8 +104,8 @@ int runTrain(const std::vector<std::string>& given) {
   } catch (const UnknownOption& error) {
     // Misspelt may also be what chooses the training; or it is right, and of another training.
     std::vector<std::string> names = error.names();
-    for (const char* choice : {"--dataset", "--task", "--method", "--search"}) {
-      if (error.name() != choice) names.emplace_back(choice);
+    for (const char* name : {"--dataset", "--task", "--method", "--search"}) {
+      if (error.name() != name) names.emplace_back(name);
     }
     throw UnknownOption(error.name(), names, " in this training; lstm_planner train --help names the others");
   }
