@@ -41,6 +41,7 @@ SensorListener::SensorListener(MessageQueue* messages, const SensorParameters& p
     : messages_(*messages),
       parameters_(parameters),
       base_frame_(base_frame),
+      odometry_topic_(messages_.nodeHandle().resolveName(parameters.odom_topic)),
       mounts_(tf, base_frame),
       odometry_base_(tf, base_frame),
       history_(parameters.max_speed),
@@ -94,8 +95,7 @@ void SensorListener::onOdometry(const ros::MessageEvent<nav_msgs::Odometry const
     history_.add(entry);
   }
   sayContradictions(*odometry);
-  sayTwoPublishers(odometry_subscriber_.getTopic(), event.getPublisherName(), odometry_received_.toSec(),
-                   &odometry_publishers_);
+  sayTwoPublishers(odometry_topic_, event.getPublisherName(), odometry_received_.toSec(), &odometry_publishers_);
 }
 
 void SensorListener::sayContradictions(const sensor_msgs::LaserScan& scan, const std::string& topic) const {
@@ -109,7 +109,7 @@ void SensorListener::sayContradictions(const sensor_msgs::LaserScan& scan, const
 }
 
 void SensorListener::sayContradictions(const nav_msgs::Odometry& odometry) const {
-  const std::string topic = odometry_subscriber_.getTopic();
+  const std::string& topic = odometry_topic_;
   if (!odometry.child_frame_id.empty() && robotFrameOf(odometry).empty()) {
     ROS_WARN_ONCE(
         "the odometry on %s contradicts itself: %s is its frame_id and its child_frame_id. The costmap's "
@@ -172,9 +172,9 @@ SensorHealth SensorListener::healthOf(const Scanner& scanner, const ros::Time& n
 SensorHealth SensorListener::odometryHealth(const ros::Time& now) {
   messages_.handOut();
   const std::lock_guard<std::mutex> lock(mutex_);
-  return {odometry_subscriber_.getTopic(), secondsBetween(odometry_stamp_, now),
-          odometry_period_.period(),       odometryTimeout(),
-          !odometry_stamp_.isZero(),       history_.twistWatch().contradiction().has_value()};
+  return {odometry_topic_,           secondsBetween(odometry_stamp_, now),
+          odometry_period_.period(), odometryTimeout(),
+          !odometry_stamp_.isZero(), history_.twistWatch().contradiction().has_value()};
 }
 
 double SensorListener::odometryTimeout() const {
@@ -182,7 +182,7 @@ double SensorListener::odometryTimeout() const {
 }
 
 void SensorListener::checkOdometry(const ros::Time& now) const {
-  const std::string topic = odometry_subscriber_.getTopic();
+  const std::string& topic = odometry_topic_;
   if (odometry_stamp_.isZero()) {
     throw SensorError("no odometry has been received on " + topic);
   }
@@ -216,7 +216,7 @@ const SensorMount& SensorListener::mountOf(const Scanner& scanner) {
   const SensorMount& mount = mounts_.at(scanner.frame);
   if (!odometry_base_.isKnown()) {
     ROS_WARN_ONCE("tf does not know the frame that the odometry on %s is of (child_frame_id): %s is taken",
-                  odometry_subscriber_.getTopic().c_str(), base_frame_.c_str());
+                  odometry_topic_.c_str(), base_frame_.c_str());
   }
   return mount;
 }

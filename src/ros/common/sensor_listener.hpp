@@ -106,6 +106,7 @@ class SensorListener {
   MessageQueue& messages_;
   SensorParameters parameters_;
   std::string base_frame_;
+  std::string odometry_topic_;  ///< with its namespace; a subscriber may call back before it can be asked
 
   std::mutex mutex_;  ///< guards all below
   ScannerMounts mounts_;
