@@ -11,9 +11,9 @@ namespace lstm_planner {
 /// How recorded drives become what a network learns from.
 struct DatasetSequenceParameters {
   PolicyDescription policy;  ///< of the network; its encoder encodes, as it does for the planner
-  int sequence_steps = 0;    ///< episodes are cut into pieces of this many steps; 0: not at all
-  int burn_in_steps = 0;     ///< of the same episode before each piece, with weight 0: they only bring the hidden state
-                             ///< up to date
+  int sequence_steps = 0;    ///< episodes are cut into pieces of this many steps; 0: not cut
+  int burn_in_steps = 0;     ///< steps of the same episode before each piece, with weight 0: they only set the hidden
+                             ///< state
 
   double label_distance = 0.0;  ///< m; see forEachRecordedEpisode()
 };
@@ -21,15 +21,15 @@ struct DatasetSequenceParameters {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const DatasetSequenceParameters& parameters);
 
-/// What a network for these recordings is told about the robot: their range cap, allowed angles, step length and
-/// radius. Throws std::invalid_argument when there is no recording, or when they differ.
+/// The description of a network for these recordings, with their range cap, allowed angles, step length and radius.
+/// Throws std::invalid_argument if there is no recording, or if they differ.
 PolicyDescription policyOf(const Dataset& dataset);
 
-/// Whether scans are needed to encode the dataset for such a network, since it was recorded with another range cap.
+/// Whether scans are needed to encode the dataset for such a network, because it was recorded with another range cap.
 bool needsScans(const Dataset& dataset, const PolicyDescription& policy);
 
-/// All episodes that are not discarded, one after the other; no sequence has steps of two. All weights are 1, but those
-/// of burn-in steps. Throws as forEachRecordedEpisode().
+/// All episodes that are not discarded, one after the other; no sequence has steps of two episodes. All weights are 1,
+/// except those of burn-in steps, which are 0. Throws as forEachRecordedEpisode().
 std::vector<Sequence> datasetSequences(const Dataset& dataset, const DatasetSequenceParameters& parameters);
 
 }  // namespace lstm_planner

@@ -14,39 +14,38 @@ namespace lstm_planner {
 struct DatasetTrainingParameters {
   DatasetSequenceParameters sequences;
   LabelBalance balance = LabelBalance::kNone;
-  int variants = 0;  ///< of each training episode that are learned from besides itself: see variantsOf()
+  int variants = 0;  ///< number of mirrored and turned copies of each training episode that are used in addition
   TrainerParameters trainer;
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const DatasetTrainingParameters& parameters);
 
-/// The training of the thesis: table 4.2, sequences of 30 steps, an update after each. The thesis names no limit of the
-/// gradient's length; 1 is taken here. What is kept are averaged weights, over some ten epochs of 3,000 steps; they
-/// take no part in the training itself.
+/// The training of the thesis: Table 4.2, sequences of 30 steps, an update after each. The thesis names no limit of the
+/// gradient's length; here it is 1. Averaged weights are kept, over about ten epochs of 3,000 steps; they have no
+/// effect on the training itself.
 DatasetTrainingParameters thesisDatasetTraining();
 
-/// The same in a way that does not jump: many sequences an update, a learning rate that sinks to 0, hidden states that
-/// are right at each sequence's first counted step, averaged weights. Labels lead a little farther than the planner's
-/// waypoints lie: the path of half a second is more of the driver's hand than of where he wants to go. Each drive has
-/// seven variants.
+/// The same without jumps of the accuracy: many sequences per update, a learning rate that falls to 0, hidden states
+/// that are right at each sequence's first counted step, averaged weights. Labels point to a place a little beyond the
+/// planner's waypoint: the path of half a second shows more of the driver's steering errors than of where he wants to
+/// go. Each drive has seven variants.
 DatasetTrainingParameters stableDatasetTraining();
 
-/// As stableDatasetTraining(), for a network that drives already and is to get used to somebody's own drives: shorter,
-/// and with smaller steps.
+/// As stableDatasetTraining(), for a network that can drive already and shall learn from somebody's own drives:
+/// shorter, and with a smaller learning rate.
 DatasetTrainingParameters fineTuning();
 
-/// What is learned from and what it is judged by.
+/// What is learned from, and what the network is judged on.
 struct DatasetTrainingSets {
-  std::vector<Sequence> training;     ///< cut into pieces and weighed as the parameters say
+  std::vector<Sequence> training;     ///< cut into pieces and weighted as the parameters say
   std::vector<Sequence> validation;   ///< whole episodes, as the planner drives them, each step with weight 1
   std::vector<long> training_labels;  ///< as recorded, without variants
   std::vector<long> validation_labels;
   std::vector<double> label_weights;  ///< of the training set
 };
 
-/// Throws std::invalid_argument as validate() and datasetSequences(), when a set has no steps, and when a drive is
-/// in both.
+/// Throws std::invalid_argument as validate() and datasetSequences(), if a set has no steps, and if a drive is in both.
 DatasetTrainingSets makeTrainingSets(const DatasetSplit& parts, const DatasetTrainingParameters& parameters);
 
 }  // namespace lstm_planner

@@ -18,9 +18,9 @@ struct ReplayedDecision {
   long episode = 0;    ///< from 0
   double stamp = 0.0;  ///< s, of the scan that was decided about
   Pose2 pose;          ///< base in the odometry frame at `stamp`
-  Pose2 next_pose;     ///< the same at the next step: where the driver had got by then is what he did
+  Pose2 next_pose;     ///< the same at the next step: it shows what the driver did
   Pose2 goal;          ///< odometry frame; the yaw as it was given
-  Sectors sectors;     ///< that the planner saw
+  Sectors sectors;     ///< what the planner saw
   Decision decision;
   double steering_angle = 0.0;  ///< rad in (-pi, pi], the planner's, relative to the heading
   int action = 0;               ///< index of the steering angle that is nearest to it
@@ -28,28 +28,28 @@ struct ReplayedDecision {
   int driven_action = 0;        ///< index of the steering angle that is nearest to it
 };
 
-/// Asks the planner's agent at every step of a drive what it would do there. The steps come from a DriveRecorder, while
-/// somebody drives or from a recording, or from a dataset that has scans: nothing else is heard and no clock is read,
-/// so the same recording gives the same decisions.
+/// Asks the planner's agent at every step of a drive what it would do there. The steps come from a DriveRecorder (while
+/// somebody drives, or from a recording) or from a dataset that has scans. There is no other input, and no clock is
+/// read, so the same recording gives the same decisions.
 ///
-/// As in the robot the agent remembers what it has seen; a new episode is a new goal to it unless only the clock or the
-/// odometry has jumped.
+/// As on the robot, the agent remembers what it has seen. A new episode is a new goal for it, unless only the clock or
+/// the odometry has jumped.
 class DecisionReplay : public StepSink {
  public:
-  /// Throws std::invalid_argument for bad parameters or a policy that does not fit them.
+  /// Throws std::invalid_argument for bad parameters, or for a policy that does not fit them.
   DecisionReplay(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules);
 
   void startEpisode(const Episode& episode) override;
   /// Decides about a step that has just started, while somebody drives: advice(). Throws as addStep().
   void advise(const DriveStep& step);
-  /// Decides, unless advise() has done it, and notes what the driver did: decisions(). Throws
-  /// std::invalid_argument when the step has no scan, or one that the model was not made for.
+  /// Decides, unless advise() has done it, and notes what the driver did: decisions(). Throws std::invalid_argument if
+  /// the step has no scan, or one that the model was not made for.
   void addStep(const DriveStep& step) override;
   void endEpisode(double stamp, EpisodeEnd end) override;
   void reject(Rejection rejection) override { ++rejections_[static_cast<std::size_t>(rejection)]; }
 
   const std::vector<ReplayedDecision>& decisions() const { return decisions_; }
-  /// What was decided about the step that has started; all but what the driver does. Empty once that is known.
+  /// The decision about the step that has started, without what the driver does. Empty as soon as that is known.
   const std::optional<ReplayedDecision>& advice() const { return advice_; }
   const RejectionCounts& rejections() const { return rejections_; }
   const PolicyDescription& description() const { return agent_.policy().description(); }
@@ -73,7 +73,7 @@ class DecisionReplay : public StepSink {
   long jumps_ = 0;
 };
 
-/// How a drive is to be cut into steps for a replay: those of the planner, with the model's steering angles.
+/// How a drive is cut into steps for a replay: those of the planner, with the model's steering angles.
 RecorderParameters replayParameters(const PolicyDescription& description, const AgentParameters& agent,
                                     const ScanRules& rules);
 
@@ -82,11 +82,11 @@ struct Agreement {
   long decisions = 0;
   long same_action = 0;            ///< the same steering angle
   double mean_difference = 0.0;    ///< rad, between the planner's angle and the driver's
-  double balanced = 0.0;           ///< share of the same, the mean over the angles that the driver took
+  double balanced = 0.0;           ///< share of the same angles, the mean over the angles that the driver took
   double majority = 0.0;           ///< the majority-class baseline: always the driver's most frequent angle
-  double majority_balanced = 0.0;  ///< and its balanced share
+  double majority_balanced = 0.0;  ///< balanced share of this baseline
   long asked = 0;                  ///< decisions for which the network was asked
-  long preferred = 0;              ///< of these, where it preferred the driver's angle of all (thesis Eq. 4.3)
+  long preferred = 0;              ///< of these, those in which it preferred the driver's angle (thesis Eq. 4.3)
 };
 Agreement agreementOf(const std::vector<ReplayedDecision>& decisions);
 

@@ -11,26 +11,26 @@
 
 namespace lstm_planner {
 
-/// Reinforcement for the robot: an actor with a critic that sees more (distances that are known in generated worlds
-/// only), generalised advantages, and updates that stay near the policy that drove (Schulman et al., "Proximal policy
-/// optimization algorithms", 2017). Drives are StepSimulator's, under random conditions. The reward of a step is what
-/// it brings the robot nearer to the goal by the teacher's path, less a cost.
+/// Reinforcement for the robot: an actor with a critic that knows more (distances that are known only in generated
+/// worlds), generalised advantages, and updates that stay near the policy that drove (Schulman et al., "Proximal policy
+/// optimization algorithms", 2017). Drives are those of StepSimulator, under random conditions. The reward of a step is
+/// how much shorter the teacher's path to the goal has become, minus a cost.
 ///
 /// Lengths are in m, and an episode is a drive.
 struct DriveActorCriticParameters : ActorCriticParameters {
   PolicyDescription policy;
   DriveCourseParameters course;
   int iterations = 60;       ///< collect, then update
-  int judgements = 10;       ///< of the network, besides the first, about; no more than there are iterations
-  int worlds = 16;           ///< an iteration, new ones each time
-  int goals = 2;             ///< a world
-  int starts = 8;            ///< drives to a goal
-  double path_share = 0.0;   ///< of the drives: examples of going along the remembered path, under the bound
-  double path_weight = 1.0;  ///< of a step of these, beside 1 of a practised one
-  double sharpness = 3.0;    ///< times the first policy's preferences, which imitation leaves too close for drawing
+  int judgements = 10;       ///< approximate number after the first one; at most the number of iterations
+  int worlds = 16;           ///< per iteration, new ones each time
+  int goals = 2;             ///< per world
+  int starts = 8;            ///< drives per goal
+  double path_share = 0.0;   ///< share of drives that are examples of following the remembered path, under the bound
+  double path_weight = 1.0;  ///< of a step of these; a practised step has 1
+  double sharpness = 3.0;  ///< factor on the first policy's preferences: after imitation they are too close for drawing
 };
 
-/// Visits what says how it practises, named as the options; see parameter_visitors.hpp.
+/// Visits the parameters of the practice that have an option, by the option's name; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
 void visitPracticeParameters(Parameters& p, const Visitor& visit) {
   visit("iterations", p.iterations, {1, 1e6}, "", "iterations of collecting drives and learning");
@@ -49,7 +49,7 @@ void validate(const DriveActorCriticParameters& parameters);
 
 /// What the robot did in an iteration.
 struct ReinforcementReport {
-  int update = 0;          ///< from 1
+  int update = 0;          ///< number of the iteration, from 1
   double steps = 0.0;      ///< of all drives since the start
   double reward = 0.0;     ///< mean of a drive, m
   double arrival = 0.0;    ///< share of the drives
@@ -62,17 +62,17 @@ struct ReinforcementReport {
 /// network is judged before the first iteration, after the last, and in between.
 class DriveActorCritic : public SteppedTraining {
  public:
-  /// From now on each iteration also learns to steer as the driver of these drives did (cross-entropy, rare angles
-  /// weigh more), with the `weight` that the mean over the recorded steps has beside the mean over the practised ones.
-  /// So a network that drives can take over somebody's manner without forgetting how to arrive. Throws
-  /// std::invalid_argument unless the weight is positive, there are steps, and the recordings fit the policy.
+  /// From now on each iteration also learns to steer as the driver of these drives did (cross-entropy; rare angles
+  /// weigh more). `weight`: that of the mean over the recorded steps; the mean over the practised steps has 1. So a
+  /// network that can drive learns somebody's style without forgetting how to arrive. Throws std::invalid_argument
+  /// unless the weight is positive, there are steps, and the recordings fit the policy.
   virtual void follow(const Dataset& recordings, double weight) = 0;
 
   virtual const ReinforcementReport& report() const = 0;  ///< of the last iteration
   virtual int iterations() const = 0;                     ///< done so far
 };
 
-/// `layers` are the policy's, with weights to start from. Throws std::invalid_argument for what does not fit.
+/// `layers` are the policy's, with the weights to start from. Throws std::invalid_argument if something does not fit.
 std::unique_ptr<DriveActorCritic> makeDriveActorCritic(const DriveActorCriticParameters& parameters, LayerStack layers);
 
 }  // namespace lstm_planner

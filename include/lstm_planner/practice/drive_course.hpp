@@ -13,11 +13,11 @@
 
 namespace lstm_planner {
 
-/// In which worlds is learned, and which paths.
+/// In which worlds and on which paths the robot learns.
 struct DriveCourseParameters {
-  std::vector<WorldKind> worlds = worldKinds();  ///< kinds of generated worlds, in turn
-  double shortest = 2.0;                         ///< m, of the shortest path from start to goal
-  double dead_end_share = 0.0;                   ///< of the drives that start in a dead end (thesis ch. 5)
+  std::vector<WorldKind> worlds = worldKinds();  ///< kinds of generated worlds, one after the other
+  double shortest = 2.0;                         ///< m; the path from start to goal is at least this long
+  double dead_end_share = 0.0;                   ///< share of drives that start in a dead end (thesis ch. 5)
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
@@ -32,11 +32,12 @@ struct DriveExercise {
 };
 
 /// The `number`-th world for a use, with up to `goals` goals of `starts` drives each; the same for the same seed.
+/// Throws std::runtime_error if the world has no place for the robot.
 std::vector<DriveExercise> makeDriveExercises(const DriveCourseParameters& parameters, WorldUse use, std::uint64_t seed,
                                               int number, int goals, int starts);
 
-/// Where a robot ends that goes from `start` nearer and nearer to the goal as the crow flies: places at least
-/// `clearance` (m) from all obstacles, in steps of a cell.
+/// The cell where a robot stops that moves from `start` cell by cell to the neighbour nearest to the goal (world
+/// frame), as long as one is nearer. It keeps at least `clearance` (m) from all obstacles.
 CellIndex deadEndBelow(const GridWorld& world, CellIndex start, const Point2& goal, double clearance);
 
 }  // namespace lstm_planner

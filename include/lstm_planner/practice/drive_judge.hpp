@@ -10,12 +10,12 @@
 
 namespace lstm_planner {
 
-/// How well a policy drives by itself: StepSimulator without escape, always the action that it prefers.
+/// How well a policy drives by itself: in StepSimulator, without escape, always by the action that it prefers.
 struct DriveScore {
   int drives = 0;
   double arrival = 0.0;  ///< share of the drives
-  /// Mean of shortest / driven path, 0 for those that did not arrive ("success weighted by path length": Anderson et
-  /// al., "On evaluation of embodied navigation agents", 2018).
+  /// Mean of shortest / driven path; a drive that did not arrive counts as 0 ("success weighted by path length":
+  /// Anderson et al., "On evaluation of embodied navigation agents", 2018).
   double efficiency = 0.0;
 };
 
@@ -23,10 +23,10 @@ struct DriveScore {
 struct JudgedDrive {
   std::size_t kind = 0;  ///< of world: index in DriveCourseParameters::worlds
   bool arrived = false;
-  double efficiency = 0.0;  ///< shortest / driven path, at most 1; 0 when it did not arrive
+  double efficiency = 0.0;  ///< shortest / driven path, at most 1; 0 if it did not arrive
 };
 
-/// In so many worlds of a use, four drives each, under random conditions. The same for any number of threads.
+/// Drives in so many worlds of a use, four drives in each, under random conditions. The same for any number of threads.
 std::vector<JudgedDrive> judgeEach(const DrivePolicy& policy, const AgentParameters& agent,
                                    const DriveCourseParameters& course, WorldUse use, int worlds, int max_steps,
                                    std::uint64_t seed, int threads);

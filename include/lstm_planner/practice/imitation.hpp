@@ -23,9 +23,9 @@ struct ImitationParameters {
   NetworkShape shape;
   int rounds = 10;             ///< collect, then train on everything collected so far; from the second round on the
                                ///< learner steers most of the drives
-  int worlds = 120;            ///< generated worlds a round
-  int goals = 2;               ///< a world
-  int starts = 2;              ///< drives to a goal
+  int worlds = 120;            ///< generated worlds per round
+  int goals = 2;               ///< per world
+  int starts = 2;              ///< drives per goal
   int validation_worlds = 60;  ///< worlds that are never trained on
   int max_steps = 300;         ///< of a drive
   std::uint64_t seed = 1;
@@ -33,7 +33,7 @@ struct ImitationParameters {
   TrainerParameters trainer;  ///< for each round
 };
 
-/// Visits the parameters that have an option, but the loss, named as it; see parameter_visitors.hpp.
+/// Visits the parameters that have an option, by the option's name, except the loss; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
 void visitImitationParameters(Parameters& p, const Visitor& visit) {
   visit("rounds", p.rounds, {1, 1e6}, "", "rounds of collecting drives and training");
@@ -52,18 +52,18 @@ class DriveImitationCourse;
 /// Reports of progress: share of the whole work that is done, in [0, 1]. Called from the calling thread.
 using ProgressCallback = std::function<void(double)>;
 
-/// A step is an epoch; the first of each round first collects drives. After the last one of a round it is time to
-/// judge. The same parameters give the same weights, whatever the number of threads.
+/// A step is an epoch; the first one of each round first collects drives. A judgement is due after the last one of each
+/// round. The same parameters give the same weights, for any number of threads.
 class DriveImitation : public SteppedTraining {
  public:
   /// Throws as validate().
   explicit DriveImitation(const ImitationParameters& parameters, const ProgressCallback& progress = {});
 
   const ImitationRounds& rounds() const { return rounds_; }
-  std::size_t drivenSteps() const;  ///< of all drives so far to learn from, also where the teacher had no answer
-  double drivenShare() const;       ///< of all worlds: training costs little beside the simulation
+  std::size_t drivenSteps() const;  ///< of all training drives so far, also steps without an answer of the teacher
+  double drivenShare() const;       ///< share of worlds that are done: the simulation takes most of the time
 
-  /// Of the validation drives, by these layers alone.
+  /// The score of these layers alone in the validation drives.
   DriveScore judge(const LayerStack& layers);
 
   bool done() const override { return rounds_.done(); }

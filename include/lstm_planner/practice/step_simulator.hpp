@@ -12,15 +12,15 @@
 
 namespace lstm_planner {
 
-/// Under which conditions a robot practises: what differs from robot to robot and from day to day.
+/// Under which conditions a robot practises: they differ from robot to robot and from drive to drive.
 struct PracticeConditions {
-  HokuyoParameters scanner;   ///< with few beams: the averages hardly change
+  HokuyoParameters scanner;   ///< with few beams: the means of the sectors hardly change
   double period = 0.5;        ///< s between scans, and steps
   double speed = 0.3;         ///< m/s
-  double latency = 0.0;       ///< s from a decision to the wheels; until then the last one is carried on with
+  double latency = 0.0;       ///< s from a decision to the wheels; until then the last command stays
   double travel_error = 0.0;  ///< of the odometry, relative
   double turn_error = 0.0;    ///< of the odometry, rad a metre
-  double slip = 0.0;          ///< standard deviation of what a step truly travels and turns, relative
+  double slip = 0.0;          ///< relative standard deviation of the true length and turn of each motion
 };
 
 /// The conditions without any randomness but the scanner's: a Create 2 with every eighth beam of a UTM-30LX.
@@ -41,10 +41,10 @@ NavigationAgent drawRobot(AgentParameters agent, PolicyDescription policy, const
 /// step, and in between the robot turns and drives as the controller would, but without controller, plan and wheels.
 class StepSimulator : private LoopRobot {
  public:
-  /// `world` must outlive it. Deterministic for a seed.
+  /// `world` must outlive it. The same for the same seed.
   StepSimulator(const World& world, const DriveTask& task, const PracticeConditions& conditions, std::uint64_t seed);
 
-  /// Gives the agent the goal, and drives until it has arrived by its odometry, gives up, or has made so many steps.
+  /// Gives the agent the goal, and drives until it has arrived by its odometry, gives up, or has made max_steps steps.
   LoopEnd run(int max_steps, NavigationAgent* agent);
 
   const Pose2& truePose() const { return pose_; }  ///< world frame; known to teachers only

@@ -11,7 +11,7 @@
 
 namespace lstm_planner {
 
-/// What every actor-critic training needs, whatever the course is. Both learning rates fall to 0 along half a cosine.
+/// What every actor-critic training needs, on any course. Both learning rates fall to 0 along half a cosine.
 struct ActorCriticParameters {
   int window = 32;               ///< steps; errors go back at most that far
   int max_steps = 300;           ///< of an episode
@@ -26,7 +26,7 @@ struct ActorCriticParameters {
   Communicator* communicator = oneProcess();  ///< ranks that share the work; does not change the result
 };
 
-/// Visits the parameters that have an option, named as it; see parameter_visitors.hpp.
+/// Visits the parameters that have an option, by the option's name; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
 void visitActorCriticParameters(Parameters& p, const Visitor& visit) {
   visit("discount", p.discount, {0.0, 1.0}, "", "discount factor per step (gamma)");
@@ -39,8 +39,8 @@ void visitActorCriticParameters(Parameters& p, const Visitor& visit) {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const ActorCriticParameters& parameters);
 
-/// What is added up over the steps that a critic has judged: how well it foresees the returns, and how much the
-/// advantages vary in each set of the course.
+/// Sums over the steps that a critic has judged: how well it predicts the returns, and how much the advantages vary in
+/// each set of the course.
 struct CriticSums {
   explicit CriticSums(std::size_t sets = 0) : set_steps(sets), set_squared_advantages(sets) {}
 
@@ -48,22 +48,22 @@ struct CriticSums {
   double squared_errors = 0.0;
   std::vector<double> set_steps, set_squared_advantages;
 
-  /// A step in a set, whose state the critic values at `value`.
+  /// Adds a step in a set; the critic gives its state the value `value`.
   void count(std::size_t set, double value, double advantage);
 
-  /// Share of the variance of the returns.
+  /// Share of the variance of the returns that the critic explains.
   double explained() const;
-  /// Moves the variances by that share towards those of these steps, of the sets that have some.
+  /// Moves each variance by that share towards the variance of these steps; sets without steps keep theirs.
   void moveVariances(double share, std::vector<double>* variances) const;
 };
 std::vector<double*> numbersOf(CriticSums* sums);
 
-/// The weights of a policy and its critic while they learn, whatever the course is: optimisers, schedule, the variance
-/// of the advantages, and the checkpoint of it all.
+/// The weights of a policy and its critic while they learn, on any course: optimisers, schedule, the variance of the
+/// advantages, and the checkpoint of all this.
 class ActorCritic {
  public:
-  /// The layers with the weights to start from. `sets`: parts of the course that have a variance each.
-  /// `updates`: of the whole training.
+  /// The layers hold the weights to start from. `sets`: number of parts of the course, each with its own variance.
+  /// `updates`: number of updates in the whole training.
   ActorCritic(const ActorCriticParameters& parameters, int updates, const LayerStack& policy, const LayerStack& critic,
               std::size_t sets);
 
@@ -72,21 +72,22 @@ class ActorCritic {
 
   double entropyWeight() const;  ///< of the next update
 
-  /// One step of an optimiser. `gradient` is a sum over so many steps of the agents.
+  /// One step of an optimiser. `gradient` is the sum over `steps` steps of the agents.
   void updatePolicy(const Eigen::VectorXf& gradient, double steps);
   void updateCritic(const Eigen::VectorXf& gradient, double steps);
 
-  /// By set: what is a large gain in the open is a small one in a maze, and each is to count alike. Starts with 1.
+  /// One for each set, so that each set counts the same: a gain that is large in the open is small in a maze. They
+  /// start at 1.
   std::vector<double>& advantageVariances() { return advantage_variances_; }
 
-  /// An update is done, with so many steps of the agents.
+  /// To be called after an update with so many steps of the agents.
   void finishUpdate(double steps);
   int updates() const { return updates_; }
   double steps() const { return steps_; }  ///< of all updates
 
   /// Everything that the next update depends on.
   std::vector<std::uint8_t> checkpoint() const;
-  /// Throws std::invalid_argument when it is not a checkpoint of the same course and networks.
+  /// Throws std::invalid_argument if it is not a checkpoint of the same course and networks.
   void restore(const std::vector<std::uint8_t>& checkpoint);
 
  private:
@@ -109,11 +110,12 @@ class Advantages {
  public:
   Advantages(double discount, double decay) : discount_(discount), decay_(decay) {}
 
-  /// How a step ended, which is not kNone the first time: an episode that is cut off would have gone on from much the
-  /// same place.
+  /// How a step ended. The first call must not give kNone. After kCutOff the critic's value of the last state stands
+  /// for the rest: the episode would have gone on from about the same place.
   enum class End { kNone, kArrived, kCutOff };
 
-  /// Of the step before the last one asked for. `value`: the critic's, of the state in which it starts.
+  /// The advantage of the step before that of the last call. `value`: the critic's, of the state in which the step
+  /// starts.
   double before(double reward, double value, End end) {
     const double following = end == End::kArrived ? 0.0 : (end == End::kCutOff ? value : next_value_);
     const double error = reward + discount_ * following - value;

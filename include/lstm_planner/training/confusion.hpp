@@ -7,10 +7,10 @@
 
 namespace lstm_planner {
 
-/// Share of a label's steps that were answered with it, one a label; NaN for a label that does not occur.
+/// For each label: share of its steps that were answered with it; NaN for a label that does not occur.
 std::vector<double> recalls(const ConfusionMatrix& confusion);
 
-/// Share of an answer's steps that had it as their label, one an answer; NaN for an answer that was not given.
+/// For each answer: share of its steps that had it as their label; NaN for an answer that was not given.
 std::vector<double> precisions(const ConfusionMatrix& confusion);
 
 /// Mean of the recalls of the labels that occur, in [0, 1]: always giving the same answer scores 1 / labels. 0 without
@@ -20,17 +20,16 @@ double balancedAccuracy(const ConfusionMatrix& confusion);
 /// Share of the steps that were answered with their label. 0 without steps.
 double accuracyOf(const ConfusionMatrix& confusion);
 
-/// Majority-class baseline: what always giving the most frequent label would have made of the same steps: what a
-/// network has to beat.
+/// The confusion matrix of always giving the most frequent label in the same steps: the majority-class baseline.
 ConfusionMatrix constantAnswer(const ConfusionMatrix& confusion);
 
-/// For people: a row a label with its answers and recall, and a last row with the precisions. `names` has one text a
-/// class. Throws std::invalid_argument unless there are as many names as classes.
+/// For people: a row for each label with its answers and recall, and a last row with the precisions. `names` has one
+/// text for each class. Throws std::invalid_argument if the number of names is another.
 std::string confusionText(const ConfusionMatrix& confusion, const std::vector<std::string>& names);
 
 /// Draws it with gnuplot as a PNG picture, each row in shares of its label; the counts are written beside it as CSV.
-/// Throws std::invalid_argument as confusionText(), std::runtime_error when a file cannot be written or gnuplot is
-/// missing or fails; the CSV file is complete by then.
+/// Throws std::invalid_argument as confusionText(), and std::runtime_error if a file cannot be written, or if gnuplot
+/// is missing or fails; the CSV file is complete by then.
 void writeConfusion(const std::string& png_path, const ConfusionMatrix& confusion,
                     const std::vector<std::string>& names);
 

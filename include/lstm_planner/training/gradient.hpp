@@ -35,7 +35,7 @@ struct LossSum {
 /// Eq. 2.17-2.19).
 ///
 /// The error of a sequence's step is the cross-entropy of the softmax of the last layer's outputs; a SoftmaxLayer at
-/// the end is the same softmax and not applied twice. Its derivative by the preference k is weight * (probability_k -
+/// the end is this softmax, which is not applied twice. Its derivative by the preference k is weight * (probability_k -
 /// target_k), so that a linear last layer with inputs z gets the gradient sum_n (phi_nk - t_nk) z_n; thesis Eq. 2.32
 /// prints phi_n for z_n. With the Euclidean loss the preferences y take the place of the probabilities (Eq. 2.7, 2.10),
 /// and there is no softmax. Errors go back to the first step of every sequence.
@@ -50,16 +50,16 @@ class SequenceGradient {
   /// Sequences that are computed side by side.
   static constexpr int kTogether = 16;
 
-  /// Throws std::invalid_argument when the layers do not fit together, a softmax is not the last layer, or there is one
-  /// and the loss is Euclidean.
+  /// Throws std::invalid_argument if the layers do not fit together, if a softmax is not the last layer, or if there is
+  /// one and the loss is Euclidean.
   explicit SequenceGradient(const LayerStack& layers, Loss loss = Loss::kCrossEntropy);
 
-  /// Cuts a batch into groups of kTogether or fewer, alike in length.
+  /// Divides a batch into groups of at most kTogether sequences of similar length.
   static std::vector<Batch> groupsOf(Batch batch);
 
-  /// Loss with the given parameters, ordered as in parameterVector(), and, where it is asked for, the gradient of
-  /// LossSum::loss (a sum, not a mean). Sequences must be valid (validateSequences); a wrong number of parameters
-  /// throws std::invalid_argument.
+  /// Loss with the given parameters, ordered as in parameterVector(). Writes the gradient of LossSum::loss (a sum, not
+  /// a mean) to `gradient`, if it is given. Sequences must be valid (validateSequences()). Throws std::invalid_argument
+  /// for a wrong number of parameters.
   LossSum loss(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf* gradient = nullptr);
 
  private:

@@ -11,56 +11,57 @@
 
 namespace lstm_planner {
 
-/// Where imitation learns: collects steps, and what a teacher answers there. The same for the same arguments.
+/// Where imitation learns: collects steps, and what a teacher answers in them. The same for the same arguments.
 class ImitationCourse {
  public:
   virtual ~ImitationCourse() = default;
 
-  /// To learn from in round `round` (from 0). The teacher leads; `learner`, null in the first round only, leads some of
-  /// the episodes.
+  /// Collects what is learned from in round `round` (from 0). The teacher leads; `learner`, null only in the first
+  /// round, leads some of the episodes.
   virtual std::vector<Sequence> collectTraining(int round, const LayerStack* learner) = 0;
 
-  /// To choose the round's best epoch by, on another course. The learner leads where there is one.
+  /// Collects what the round's best epoch is chosen with, on another course. The learner leads if there is one.
   virtual std::vector<Sequence> collectValidation(int round, const LayerStack* learner) = 0;
 };
 
-/// How often is collected, and how is trained between.
+/// How many rounds there are, and how each one trains.
 struct ImitationRoundsParameters {
   int rounds = 1;
-  int batch_steps = 0;        ///< steps an update, about, which set trainer.batch_size; 0: as that says
+  int batch_steps = 0;        ///< approximate steps per update, which set trainer.batch_size; 0: that is used as it is
   TrainerParameters trainer;  ///< for each round
 };
 
-/// Imitation between two epochs: what the epochs to come depend on besides the arguments.
+/// Imitation between two epochs: what the next epochs depend on besides the arguments.
 struct ImitationState {
-  std::vector<Eigen::VectorXf> learners;  ///< weights after each round before this one
-  std::vector<EpochReport> curve;         ///< of these rounds, one after the other
+  std::vector<Eigen::VectorXf> learners;  ///< weights after each earlier round
+  std::vector<EpochReport> curve;         ///< of the earlier rounds, one after the other
   TrainingState training;                 ///< of this round
 };
 
 std::vector<std::uint8_t> toBytes(const ImitationState& state);
-/// Throws std::invalid_argument when the bytes are not those of a state.
+/// Throws std::invalid_argument if the bytes are not those of a state.
 ImitationState imitationStateFrom(const std::vector<std::uint8_t>& bytes);
 
 /// Learning to act from a teacher, in rounds: collect, then train on everything that was collected so far. In the first
-/// round the teacher leads, later the learner too, so that it also learns what to do where only its own mistakes bring
-/// it (DAgger: Ross, Gordon and Bagnell, "A reduction of imitation learning and structured prediction to no-regret
-/// online learning", AISTATS 2011).
+/// round only the teacher leads, later also the learner: so it also learns what to do in places that it reaches only by
+/// its own mistakes (DAgger: Ross, Gordon and Bagnell, "A reduction of imitation learning and structured prediction to
+/// no-regret online learning", AISTATS 2011).
 ///
 /// With one round, and a course that holds what was recorded, it is plain supervised learning.
 ///
-/// A step is an epoch; after the last one of each round it is time to judge. What was collected before a checkpoint is
-/// collected anew, as it is not kept.
+/// A step is an epoch; a judgement is due after the last epoch of each round. A checkpoint does not hold what was
+/// collected: restore() collects it again.
 class ImitationRounds : public SteppedTraining {
  public:
-  /// From the weights of `layers`. Throws std::invalid_argument without rounds, later as Trainer.
+  /// Starts from the weights of `layers`. Throws std::invalid_argument for fewer than one round; step() throws as
+  /// Trainer.
   ImitationRounds(const ImitationRoundsParameters& parameters, const LayerStack& layers,
                   std::unique_ptr<ImitationCourse> course);
 
-  int round() const { return static_cast<int>(state_.learners.size()) + 1; }  ///< from 1, that goes on or just ended
-  int epochsOfRound() const { return static_cast<int>(state_.training.curve.size()); }  ///< that are done
-  const EpochReport& epoch() const { return state_.training.curve.back(); }             ///< that was done last
-  /// Collected so far, and with a weight.
+  int round() const { return static_cast<int>(state_.learners.size()) + 1; }            ///< from 1; the current one
+  int epochsOfRound() const { return static_cast<int>(state_.training.curve.size()); }  ///< done
+  const EpochReport& epoch() const { return state_.training.curve.back(); }             ///< the last one
+  /// Number of collected steps with a weight above 0.
   std::size_t collectedSteps() const { return countWeighted(training_); }
   TrainingResult roundResult() const { return trainer_->result(); }    ///< of its epochs so far
   std::vector<EpochReport> curve() const;                              ///< of all rounds, one after the other

@@ -21,19 +21,20 @@ struct MemoryNetwork {
   std::string name;
   NetworkShape shape;
   InitialisationParameters start;
-  std::string figure = "";  ///< file name of its shades; empty: none are drawn
+  std::string figure = "";  ///< file name of its figure, see writeMemoryFigures(); empty: none is drawn
 };
 
 /// Plain recurrent networks with as many units as an LSTM and with about as many weights, the latter also with weights
-/// so small that W^t vanishes; and the LSTM with its forget gate half open, as trainings here begin, and open.
+/// so small that W^t vanishes; and the LSTM with its forget gate half open, with the bias with which trainings here
+/// start, and open.
 std::vector<MemoryNetwork> memoryNetworks();
 
 /// What the networks are asked to remember, and how they are trained.
 struct MemoryComparisonParameters {
   std::vector<int> delays = {5, 10, 20, 40, 80};  ///< steps that the networks have to remember, each >= 1
-  int shown_delay = 20;                           ///< of the networks whose sensitivity is measured; one of `delays`
-  int sequences = 1000;                           ///< to learn from; as many others to judge by
-  int measured_sequences = 16;                    ///< of those the sensitivity is the mean of
+  int shown_delay = 20;                           ///< delay at which the sensitivity is measured; one of `delays`
+  int sequences = 1000;                           ///< to learn from; so many others are used to judge
+  int measured_sequences = 16;                    ///< over which the sensitivity is averaged
   int epochs = 30;
   double learning_rate = 0.02;
   int seeds = 5;  ///< trainings of each network, with the seeds from `seed` on
@@ -43,12 +44,13 @@ struct MemoryComparisonParameters {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const MemoryComparisonParameters& parameters);
 
-/// What became of one network.
+/// Result of one network.
 struct MemoryOutcome {
   MemoryNetwork network;
   std::size_t weights = 0;
   std::vector<std::vector<double>> accuracies;  ///< by delay, then by seed; 0.5 is chance
-  /// firstStepSensitivity() of the first seed's network: as initialised, and trained on `shown_delay`.
+  /// firstStepSensitivity() of the network of the first seed: with initial weights, and after training on
+  /// `shown_delay`.
   Eigen::MatrixXd before;
   Eigen::MatrixXd after;
   /// spectralRadius() of the same; 0 for an LSTM.
@@ -57,21 +59,21 @@ struct MemoryOutcome {
 };
 
 /// Trains networks on recallSequences() of each delay (thesis 2.2: what Figures 2.6 and 2.9 show). The same for any
-/// number of threads. `progress` is told the share done; comparing ends early, with what is complete, when it returns
-/// false.
+/// number of threads. Calls `progress` with the share that is done; if it returns false, the comparison ends early with
+/// what is complete. Throws as validate().
 std::vector<MemoryOutcome> compareMemory(const MemoryComparisonParameters& parameters,
                                          const std::vector<MemoryNetwork>& networks,
                                          const std::function<bool(double)>& progress = {});
 
-/// By step: over all units, relative to the first step.
+/// For each step: the sensitivity over all units, relative to the first step.
 Eigen::VectorXd relativeSensitivity(const Eigen::MatrixXd& sensitivity);
 
 /// A Markdown table of the accuracies and one of how fast the sensitivity falls.
 std::string memoryTables(const MemoryComparisonParameters& parameters, const std::vector<MemoryOutcome>& outcomes);
 
-/// Draws with gnuplot as PNG files, with a CSV file beside each: `folder`/sensitivity, relativeSensitivity() of
-/// each network before and after its training; and the shades of the units of networks that have a figure. Throws
-/// std::runtime_error when a file cannot be written or gnuplot is missing or fails.
+/// Draws with gnuplot as PNG files, with a CSV file beside each: `folder`/sensitivity (relativeSensitivity() of each
+/// network before and after its training), and for networks that have a figure the sensitivity of each unit as shades.
+/// Throws std::runtime_error if a file cannot be written, or if gnuplot is missing or fails.
 void writeMemoryFigures(const std::string& folder, const std::vector<MemoryOutcome>& outcomes);
 
 }  // namespace lstm_planner

@@ -8,14 +8,14 @@ namespace lstm_planner {
 enum class OptimiserKind {
   kMomentum,  ///< gradient descent with momentum (thesis Eq. 3.13-3.14)
   kAdam,      ///< Kingma and Ba, "Adam: A Method for Stochastic Optimization", ICLR 2015, algorithm 1
-  /// Zeiler, "ADADELTA: An Adaptive Learning Rate Method", 2012, algorithm 1, its updates times the learning rate as in
-  /// Caffe: what the thesis's own program learned by.
+  /// Zeiler, "ADADELTA: An Adaptive Learning Rate Method", 2012, algorithm 1, with the update times the learning rate
+  /// as in Caffe. The thesis's own program used it.
   kAdaDelta,
 };
 
 /// How the learning rate changes during a training.
 enum class LearningRateSchedule {
-  kConstant,  ///< it does not
+  kConstant,  ///< it does not change
   kCosine,    ///< half a cosine from the learning rate at the first step to 0 after the last
 };
 
@@ -29,27 +29,27 @@ struct OptimiserParameters {
   /// beta, >= 0: beta * sum |w| is added to the error, so that weights do not grow needlessly (L1, thesis Eq. 3.7 and
   /// 3.8). Biases are left alone, so that decay does not close the forget gates.
   double l1_decay = 0.0;
-  double max_gradient_norm = 1;  ///< gradients of the error (without decay) longer than this are shortened; 0: never
+  double max_gradient_norm = 1;  ///< longer gradients of the error (without decay) are shortened to this; 0: never
 };
 
 /// Throws std::invalid_argument with one sentence naming the parameter, its value and its range.
 void validate(const OptimiserParameters& parameters);
 
-/// Shortens the gradient to `max_norm` when it is longer (0: never). Returns its length before.
+/// Shortens the gradient to `max_norm` if it is longer (0: never). Returns its length before.
 double clipToNorm(double max_norm, Eigen::VectorXf& gradient);
 
 /// Turns gradients into updates of one parameter vector; its velocities or moments start at zero.
 class Optimiser {
  public:
-  /// `mask`: 1 for weights and 0 for biases, weightMask(). Throws std::invalid_argument (validate).
+  /// `mask`: 1 for weights and 0 for biases, as weightMask() returns it. Throws as validate().
   Optimiser(const OptimiserParameters& parameters, Eigen::VectorXf mask);
 
-  /// The learning rate when that share of the training is done.
+  /// The learning rate when the share `progress` of the training is done.
   double rate(double progress) const;
 
-  /// One update, when that share of the training is done. `gradient` is that of the mean error, without decay. Clips,
-  /// adds the decay, beta * sign(w) (thesis Eq. 3.11 prints a minus and no sign), moves `parameters`.
-  /// Momentum: v' = mu v - alpha gradient, w' = w + v' (thesis Eq. 3.14 prints w' for w).
+  /// One update, when the share `progress` of the training is done. `gradient` is that of the mean error, without
+  /// decay. Shortens it, adds the decay, beta * sign(w) (thesis Eq. 3.11 prints a minus and no sign), and moves
+  /// `parameters`. Momentum: v' = mu v - alpha gradient, w' = w + v' (thesis Eq. 3.14 prints w' for w).
   void update(Eigen::VectorXf gradient, double progress, Eigen::VectorXf& parameters);
 
   /// What the next update depends on besides its arguments.
@@ -59,7 +59,7 @@ class Optimiser {
     long updates = 0;
   };
   const State& state() const { return state_; }
-  /// Throws std::invalid_argument when it is not that of as many parameters.
+  /// Throws std::invalid_argument if it is the state of another number of parameters.
   void setState(const State& state);
 
  private:

@@ -10,7 +10,7 @@ namespace lstm_planner {
 /// input weights, the recurrent weights, the bias, matrices column by column.
 Eigen::VectorXf parameterVector(const LayerStack& layers);
 
-/// Writes such a vector back. Throws std::invalid_argument when its size is not the stack's number of parameters.
+/// Writes such a vector into the layers. Throws std::invalid_argument if its size is not their number of parameters.
 void setParameterVector(const Eigen::VectorXf& parameters, LayerStack& layers);
 
 /// 1 where parameterVector() holds a weight, 0 where it holds a bias.

@@ -7,12 +7,12 @@
 
 namespace lstm_planner {
 
-// What a policy that draws its actions is made of, and how it learns: the same in every course. Chances and
-// probabilities are arrays with one number an action; that of an action that is not possible is 0.
+// How a policy draws its actions, and how it learns: the same in every course. Chances and probabilities are arrays
+// with one number for each action; it is 0 for an action that is not possible. Chances need not add up to 1.
 
-/// Fills in chances that are in the ratio in which the preferences mean the actions (softmax): exp(preference - the
-/// largest). `possible(action)`: bool; `preference(action)`: float. Returns the sum of the chances, 0 where no action
-/// is possible.
+/// Writes the chances of the actions, exp(preference - largest preference), which are those of a softmax times their
+/// sum. `possible(action)`: bool; `preference(action)`: float. Returns the sum of the chances, 0 if no action is
+/// possible.
 template <typename Number, typename Possible, typename Preference>
 Number fillChances(int actions, const Possible& possible, const Preference& preference, Number* chances) {
   float largest = -1e30f;
@@ -27,7 +27,7 @@ Number fillChances(int actions, const Possible& possible, const Preference& pref
   return total;
 }
 
-/// Draws an action by chances whose sum is `total`, above 0, and divides them by it.
+/// Draws an action by chances whose sum is `total`, above 0, and divides them by it, so that they become probabilities.
 inline int drawByChances(int actions, float total, Random* random, float* chances) {
   float draw = static_cast<float>(uniform(*random)) * total;
   int drawn = -1;
@@ -39,7 +39,7 @@ inline int drawByChances(int actions, float total, Random* random, float* chance
   return drawn;
 }
 
-/// nat
+/// Entropy of the probabilities, nat.
 template <typename Number>
 double entropyOf(int actions, const Number* probabilities) {
   double entropy = 0.0;

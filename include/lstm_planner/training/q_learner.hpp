@@ -13,7 +13,7 @@ namespace lstm_planner {
 /// One step of an agent. Values are in the reward's unit.
 struct QTransition {
   int direction = 0;
-  double estimate = 0.0;  ///< Q(s, a) of the move that was made, by the network that learns
+  double estimate = 0.0;  ///< Q(s, a) of the move, by the network that learns
   double reward = 0.0;
   double value = 0.0;   ///< max over a of Q(s, a) by the target network
   bool greedy = false;  ///< whether the move was the best by the network that learns
@@ -22,17 +22,17 @@ struct QTransition {
 };
 
 /// What the estimates of consecutive steps should have been: r + gamma max_a' Q(s', a') for trace_decay 0 (Eq. 2.38),
-/// for others Watkins's Q(lambda). Of the last of `steps`, which only says what the state after the others is worth,
-/// nothing but the value counts; it gets no target.
+/// otherwise Watkins's Q(lambda). Of the last of `steps` only the value counts, which is that of the state after the
+/// others; it gets no target.
 ///
-/// Where an episode was cut off, the state after is unknown: the target is the estimate, so that nothing is learned.
+/// If an episode was cut off, the next state is unknown: the target is the estimate, so that nothing is learned.
 std::vector<double> lambdaTargets(const std::vector<QTransition>& steps, double discount, double trace_decay);
 
 /// How a network learns the values of moves (Watkins and Dayan 1992; thesis Eq. 2.34-2.39).
 struct QLearningParameters {
   int window = 64;         ///< steps; errors go back at most that far
   int max_steps = 1000;    ///< of an episode
-  double discount = 0.97;  ///< gamma, a step, in [0, 1)
+  double discount = 0.97;  ///< gamma, per step, in [0, 1)
 
   /// lambda in [0, 1] of returns over several steps, up to the next action that was not the best (Watkins's Q(lambda));
   /// 0: one-step targets, Eq. 2.38.
@@ -42,7 +42,7 @@ struct QLearningParameters {
   /// "Deep reinforcement learning with double Q-learning", AAAI 2016); off: the target network does both.
   bool double_q = true;
   int target_interval = 50;  ///< updates between copies of the weights into the target network
-  double huber = 5.0;        ///< errors of values beyond it count linearly, not by their square
+  double huber = 5.0;        ///< larger errors of values count linearly, not by their square
   double learning_rate = 0.003;
   double max_gradient_norm = 0.5;
   std::uint64_t seed = 1;
@@ -50,7 +50,7 @@ struct QLearningParameters {
   Communicator* communicator = oneProcess();  ///< ranks that share the work; does not change the result
 };
 
-/// Visits the parameters that have an option, named as it; see parameter_visitors.hpp.
+/// Visits the parameters that have an option, by the option's name; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
 void visitQLearningParameters(Parameters& p, const Visitor& visit) {
   visit("discount", p.discount, {0.0, 1.0}, "", "discount factor per step (gamma)");
@@ -68,13 +68,13 @@ void visitQLearningParameters(Parameters& p, const Visitor& visit) {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const QLearningParameters& parameters);
 
-/// The weights of a network of values while it learns, whatever the course is: the target network, optimiser and
-/// schedule, and the checkpoint of it all. The rate sinks to 0 by half a cosine; the share of random actions sinks
+/// The weights of a network of values while it learns, on any course: the target network, optimiser and schedule, and
+/// the checkpoint of all this. The learning rate falls to 0 along half a cosine; the share of random actions falls
 /// linearly, then stays.
 class QLearner {
  public:
-  /// The layers with the weights to start from. Throws std::invalid_argument as validate(OptimiserParameters).
-  /// `updates`: of the whole training.
+  /// The layers hold the weights to start from. `updates`: number of updates in the whole training. Throws
+  /// std::invalid_argument as validate(OptimiserParameters).
   QLearner(const QLearningParameters& parameters, int updates, const LayerStack& layers);
 
   const Eigen::VectorXf& weights() const { return weights_; }
@@ -82,18 +82,18 @@ class QLearner {
   double progress() const;  ///< share of the training that is done
   double epsilon() const;   ///< share of random actions, in the next update
 
-  /// Copies the weights into the target network where it is time to.
+  /// Copies the weights into the target network if it is time to.
   void startUpdate();
   /// One step of the optimiser.
   void update(const Eigen::VectorXf& gradient);
-  /// An update is done, with so many steps of the agents.
+  /// To be called after an update with so many steps of the agents.
   void finishUpdate(double steps);
   int updates() const { return updates_; }
   double steps() const { return steps_; }  ///< of all updates
 
   /// Everything that the next update depends on.
   std::vector<std::uint8_t> checkpoint() const;
-  /// Throws std::invalid_argument when it is not a checkpoint of the same course and network.
+  /// Throws std::invalid_argument if it is not a checkpoint of the same course and network.
   void restore(const std::vector<std::uint8_t>& checkpoint);
 
  private:

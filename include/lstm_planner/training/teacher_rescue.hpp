@@ -8,12 +8,12 @@ namespace lstm_planner {
 /// Lets the teacher lead for a while when a learner comes no nearer to its goal.
 class TeacherRescue {
  public:
-  /// `nearer`: by how much the distance to the goal has to fall below the least so far to count. After `stuck_steps`
-  /// without that the teacher leads for `rescue_steps`.
+  /// After `stuck_steps` steps in which the distance to the goal was not less than the best one minus `nearer`, the
+  /// teacher leads for `rescue_steps` steps.
   TeacherRescue(double nearer, int stuck_steps, int rescue_steps)
       : nearer_(nearer), stuck_steps_(stuck_steps), rescue_steps_(rescue_steps) {}
 
-  /// Once a step: whether the teacher leads it, with this distance to go.
+  /// To be called once for each step, with the distance to the goal: whether the teacher leads this step.
   bool wanted(double distance) {
     since_best_ = distance < best_ - nearer_ ? 0 : since_best_ + 1;
     best_ = std::min(best_, distance);

@@ -9,8 +9,8 @@
 
 namespace lstm_planner {
 
-/// The numbers that a sum consists of: what is added up, and exchanged by ranks. A sum of another type has a function
-/// of its own, in the same namespace.
+/// The numbers of a sum, which are added up, and exchanged by ranks. A sum of another type has a function of its own,
+/// in the same namespace.
 inline std::vector<double*> numbersOf(double* sum) { return {sum}; }
 
 /// Adds the numbers of another sum.
@@ -21,13 +21,13 @@ void addTo(Sum* sum, Sum more) {
   for (std::size_t i = 0; i < numbers.size(); ++i) *numbers[i] += *added[i];
 }
 
-/// Shares the tiles of an update, which are pieces of work, among ranks and threads, and adds their results up in the
-/// order of the tiles: the same for any number of both. Every rank has to call each function as the others do.
+/// Shares the tiles (pieces of work) of an update among ranks and threads, and adds up their results in the order of
+/// the tiles. So the result is the same for any number of both. Every rank must make the same calls.
 class TileExchange {
  public:
   TileExchange(Communicator* ranks, int threads) : ranks_(*ranks), threads_(threads) {}
 
-  /// The sum of what `work(tile, thread)` says of each of so many tiles. `zero`: of a tile with nothing in it.
+  /// The sum of the results of `work(tile, thread)` over so many tiles. `zero`: the sum over nothing.
   template <typename Sum, typename Work>
   Sum run(int tiles, const Sum& zero, const Work& work) const {
     std::vector<Sum> sums(static_cast<std::size_t>(tiles), zero);
@@ -42,7 +42,7 @@ class TileExchange {
     return all;
   }
 
-  /// The sum of the vectors `vectorOf(tile)`, of `size` numbers each. Only asked for tiles on which this rank worked.
+  /// The sum of the vectors `vectorOf(tile)`, of `size` numbers each. Calls it only for tiles of this rank.
   template <typename VectorOf>
   Eigen::VectorXf sumOf(int tiles, Eigen::Index size, const VectorOf& vectorOf) const {
     Eigen::VectorXf sum = Eigen::VectorXf::Zero(size);

@@ -17,17 +17,17 @@ namespace lstm_planner {
 /// How a network learns from sequences.
 struct TrainerParameters {
   int epochs = 20;       ///< passes over the training set, >= 1
-  int batch_size = 128;  ///< sequences an update, >= 1; with memory one takes as long as 16
-  int threads = 2;       ///< >= 1; each has groups of a batch (SequenceGradient); does not change the result
+  int batch_size = 128;  ///< sequences per update, >= 1; with a recurrent layer one takes as long as 16
+  int threads = 2;       ///< >= 1; they share the groups of a batch (SequenceGradient); does not change the result
   Communicator* communicator = oneProcess();  ///< ranks that share the groups; does not change the result
   std::uint64_t seed = 1;                     ///< of the order of the sequences
   OptimiserParameters optimiser;
-  Loss loss = Loss::kCrossEntropy;  ///< that is made small; also of the reports
+  Loss loss = Loss::kCrossEntropy;  ///< what is minimised, and reported
 
-  /// In [0, 1): share of the averaged weights that an update leaves; the rest is the weights after it (Polyak and
-  /// Juditsky, "Acceleration of stochastic approximation by averaging", 1992, in its exponential form). The average
-  /// takes no part in the training, but it is what is kept. Less while there are few updates: at most
-  /// (1 + updates) / (10 + updates). 0: no average.
+  /// In [0, 1); 0: no average. After each update the average is this share of the old average plus the rest of the new
+  /// weights (Polyak and Juditsky, "Acceleration of stochastic approximation by averaging", 1992, in its exponential
+  /// form). The share is at most (1 + updates) / (10 + updates). The average has no effect on the training, but it is
+  /// what is kept.
   double averaging = 0.0;
 };
 
@@ -40,18 +40,18 @@ struct EpochReport {
   double learning_rate = 0.0;  ///< of its last update
   LossSum training;            ///< while the weights were moving: each batch before its own update
   LossSum validation;          ///< after the epoch; empty without a validation set
-  bool best = false;           ///< better on the validation set than all before
+  bool best = false;           ///< better on the validation set than all earlier epochs
   LossSum averaged = {};       ///< `validation` of the averaged weights; empty when there are none
 
-  /// Mean over the batches of each one's accuracy before its update, what the thesis calls the accuracy of an epoch
-  /// (Eq. 4.5). No weights ever had it.
+  /// Mean over the batches of the accuracy before the batch's update: the thesis's accuracy of an epoch (Eq. 4.5). It
+  /// is not the accuracy of any one set of weights.
   double mean_batch_accuracy = 0.0;
 
-  /// On the validation set, of the weights that are kept from this epoch if any are.
+  /// On the validation set, of the weights that are kept if this epoch is the best one.
   const LossSum& kept() const { return averaged.confusion.size() > 0 ? averaged : validation; }
 };
 
-/// What a training brought.
+/// Result of a training.
 struct TrainingResult {
   LayerStack layers;  ///< of the best epoch
   int best_epoch = 0;
@@ -60,7 +60,7 @@ struct TrainingResult {
   const EpochReport& best() const { return curve[static_cast<std::size_t>(best_epoch - 1)]; }
 };
 
-/// A training between two epochs: what the epochs to come depend on besides the arguments.
+/// A training between two epochs: what the next epochs depend on besides the arguments.
 struct TrainingState {
   Eigen::VectorXf weights;
   Optimiser::State optimiser;
@@ -73,22 +73,22 @@ class GroupedGradient;
 
 /// Supervised learning by mini-batches, epoch by epoch, starting from the weights of `layers`.
 ///
-/// The epoch with the highest accuracy on the validation set is kept, of equals the one with the lower loss; without a
-/// validation set the last. With averaging that means the averaged weights: theirs is the accuracy that is compared.
-/// The same input gives the same weights, bit for bit, for any number of threads and ranks; of several ranks each has
-/// to call it. A `state` that has been started is gone on with as if there had been no break; it is kept up to date.
+/// The epoch with the highest accuracy on the validation set is kept, of equal ones that with the lower loss; without a
+/// validation set the last epoch. With averaging, the averaged weights are compared and kept. The same input gives the
+/// same weights, bit for bit, for any number of threads and ranks; every rank must make the same calls. If `state` is
+/// that of a started training, it is continued as if there had been no break. `state` is updated after each epoch.
 class Trainer {
  public:
-  /// Sequences and state must outlive it. Throws std::invalid_argument for parameters, layers or sequences that are not
-  /// valid, when no training step has a weight, and for the state of another network.
+  /// Sequences and state must outlive the trainer. Throws std::invalid_argument for parameters, layers or sequences
+  /// that are not valid, if no training step has a weight, and for the state of another network.
   Trainer(const LayerStack& layers, const std::vector<Sequence>& training, const std::vector<Sequence>& validation,
           const TrainerParameters& parameters, TrainingState* state);
   ~Trainer();
 
   bool done() const { return static_cast<int>(state_.curve.size()) >= parameters_.epochs; }
-  /// Throws std::runtime_error when the loss stops being finite.
+  /// Throws std::runtime_error if the loss is not finite any more.
   const EpochReport& runEpoch();
-  /// Of the epochs so far, of which there must be one.
+  /// Of the epochs so far; there must be at least one.
   TrainingResult result() const;
 
  private:
@@ -110,10 +110,10 @@ class Trainer {
   long update_ = 0;
 };
 
-/// Called after each epoch; training ends early when it returns false.
+/// Called after each epoch; if it returns false, training ends early.
 using EpochCallback = std::function<bool(const EpochReport&)>;
 
-/// All epochs of a Trainer. The ranks' callbacks have to answer alike; `state`, where given, is up to date before each.
+/// All epochs of a Trainer. The callback must return the same on every rank; `state`, if given, is updated before it.
 TrainingResult train(const LayerStack& layers, const std::vector<Sequence>& training,
                      const std::vector<Sequence>& validation, const TrainerParameters& parameters,
                      const EpochCallback& callback = {}, TrainingState* state = nullptr);

@@ -11,7 +11,7 @@
 
 namespace lstm_planner {
 
-/// A training in steps that are short enough for a stop to wait for the end of one.
+/// A training in steps. They are short enough that a stop can wait for the end of one.
 class SteppedTraining {
  public:
   virtual ~SteppedTraining() = default;
@@ -19,56 +19,56 @@ class SteppedTraining {
   virtual bool done() const = 0;
   virtual void step() = 0;
 
-  /// The network as it is to be judged now.
+  /// The network that a judgement would judge now.
   virtual const LayerStack& layers() const = 0;
-  /// Whether it is time for that.
+  /// Whether it is time for a judgement.
   virtual bool judgementDue() const = 0;
 
-  /// Whether there is a checkpoint to go on from here.
+  /// Whether a checkpoint can be made now.
   virtual bool resumable() const { return true; }
   /// Everything that the next step depends on.
   virtual std::vector<std::uint8_t> checkpoint() const = 0;
-  /// Throws std::invalid_argument when it is not a checkpoint of the same training.
+  /// Throws std::invalid_argument if it is not a checkpoint of the same training.
   virtual void restore(const std::vector<std::uint8_t>& checkpoint) = 0;
 };
 
-/// What came of judging a network.
+/// Result of judging a network.
 struct Judgement {
   double score = 0.0;
-  bool best = false;  ///< better than all before
-  bool due = true;    ///< false: only because of a stop
+  bool best = false;  ///< better than all earlier ones
+  bool due = true;    ///< false: it was judged only because of a stop
 };
 
-/// Who has a training run: says how good its network is, keeps it, tells people, and stops it.
+/// The side that runs a training: judges its network, keeps it, reports, and stops the training.
 class TrainingHost {
  public:
   virtual ~TrainingHost() = default;
 
-  /// Once, before the first step and behind what the checkpoint brought, if there was one.
+  /// Called once before the first step, after the checkpoint was read, if there was one.
   virtual void started(bool resumed) = 0;
   virtual void stepDone() = 0;
-  /// Asked after every step. Of several ranks, all have to answer alike.
+  /// Called after every step. Must return the same on every rank.
   virtual bool stopWanted() = 0;
 
-  /// More is better.
+  /// The network's score; a higher one is better.
   virtual double judge(const LayerStack& layers) = 0;
-  /// Writes what was judged last to the output file; on the first rank only.
+  /// Writes the network that was judged last to the output file. Called on the first rank only.
   virtual void keep(const LayerStack& layers) = 0;
   virtual void judged(const Judgement& judgement) = 0;
 
-  /// An object with what the host adds to the checkpoint's progress, and takes from it.
+  /// An object that the host adds to the progress in the checkpoint; restoreNotes() gets it back.
   virtual nlohmann::json notes() const { return nlohmann::json::object(); }
   virtual void restoreNotes(const nlohmann::json& /*progress*/) {}
 };
 
 /// Which files a training writes, and when.
 struct TrainingLoopOptions {
-  std::string checkpoint;                     ///< file to go on from, where it exists, and to write; empty: none
-  nlohmann::json settings;                    ///< what the result depends on besides; see TrainingCheckpoint
-  std::string output;                         ///< the file to which the host keeps networks
-  bool keep_last = false;                     ///< the network at the end is kept, whatever its score
+  std::string checkpoint;                     ///< file to write, and to continue from if it exists; empty: none
+  nlohmann::json settings;                    ///< what else the result depends on; see TrainingCheckpoint
+  std::string output;                         ///< the file to which the host writes networks
+  bool keep_last = false;                     ///< the network at the end is kept, with any score
   bool keep_later = false;                    ///< of networks with the same score, the later one is kept
-  double checkpoint_interval = 5.0;           ///< s; between those that are neither due to a judgement nor to a stop
+  double checkpoint_interval = 5.0;           ///< s between checkpoints; a judgement and a stop write one at once
   Communicator* communicator = oneProcess();  ///< ranks that train together: the first writes the files
 };
 
@@ -78,10 +78,11 @@ struct TrainingOutcome {
   std::optional<double> best;  ///< score of the network in the output file
 };
 
-/// Trains until the training is done or the host wants a stop, which takes effect after the step. The network is judged
-/// whenever that is due, and the best is kept; what a stop leaves is judged only where nothing else is kept. Goes on
-/// from the checkpoint as if there had been no stop; the best so far counts unless its file is gone or is to be
-/// another. Throws as readTrainingCheckpoint() and writeTrainingCheckpoint(), and what training and host throw.
+/// Trains until the training is done, or until the host wants a stop, which takes effect after the step. The network is
+/// judged whenever that is due, and the best is kept. At a stop it is judged, too, if there is no checkpoint or no
+/// network was kept before. Continues from the checkpoint as if there had been no stop; the best score so far counts
+/// unless its output file is gone or has another name now. Throws as readTrainingCheckpoint() and
+/// writeTrainingCheckpoint(), and what training and host throw.
 TrainingOutcome runTraining(const TrainingLoopOptions& options, SteppedTraining* training, TrainingHost* host);
 
 }  // namespace lstm_planner

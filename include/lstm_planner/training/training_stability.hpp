@@ -9,8 +9,8 @@
 
 namespace lstm_planner {
 
-/// What is called the accuracy of an epoch, all in [0, 1]. The thesis saw it jump by 3-4 % from one epoch to the next
-/// (4.2, Fig. 4.10) and could not say which weights a number belonged to; these do.
+/// Several accuracies of one epoch, all in [0, 1]. The thesis's accuracy of an epoch jumps by 3-4 % from one epoch to
+/// the next (4.2, Fig. 4.10), and is not that of one set of weights; all of these but the first are.
 struct EpochAccuracies {
   int epoch = 0;
   double moving = 0.0;               ///< training set, the mean over batches while the weights move (Eq. 4.5)
@@ -20,7 +20,8 @@ struct EpochAccuracies {
   double validation_averaged = 0.0;  ///< validation set, by the averaged weights
 };
 
-/// Of the epoch that ended last; `layers` say the shape. Throws std::invalid_argument for a training without averaging.
+/// Accuracies of the last epoch; `layers` give the shape. Throws std::invalid_argument for a training without
+/// averaging.
 EpochAccuracies measureEpoch(const LayerStack& layers, const TrainingState& state,
                              const std::vector<Sequence>& training, int threads);
 
@@ -33,15 +34,16 @@ struct Fluctuation {
   int lowest_epoch = 0;  ///< from 1
 };
 
-/// Over the last `epochs` values of a curve with one value an epoch, or all if there are fewer. All 0 for no value.
+/// Over the last `epochs` values of a curve with one value for each epoch, or all if there are fewer. All 0 for no
+/// value.
 Fluctuation fluctuationOf(const std::vector<double>& curve, std::size_t epochs);
 
-/// For people: the fluctuation of each curve over the last 100 epochs, the worst epoch after the first 100, and how far
-/// Eq. 4.5 is from what the weights at the epoch's end can do.
+/// For people: the fluctuation of each curve over the last 100 epochs, the worst epoch after the first 100, and how
+/// much Eq. 4.5 differs from the accuracy of the weights at the epoch's end.
 std::string stabilityText(const std::vector<EpochAccuracies>& epochs);
 
 /// Figure 4.10 with all curves, drawn with gnuplot as a PNG picture; a CSV file is written beside it. Throws
-/// std::runtime_error when a file cannot be written or gnuplot is missing or fails; the CSV file is complete by then.
+/// std::runtime_error if a file cannot be written, or if gnuplot is missing or fails; the CSV file is complete by then.
 void writeStability(const std::string& png_path, const std::vector<EpochAccuracies>& epochs);
 
 }  // namespace lstm_planner

@@ -8,17 +8,17 @@
 
 namespace lstm_planner {
 
-/// What is remembered of a whole area: not its cells but whether one can get from each block of 4 x 4 cells to the
-/// next, two bits for each pair of neighbours. That is an eighth of the memory that two bits a cell would need, and yet
-/// a wall one cell thick separates what lies on its two sides.
+/// What is remembered of a whole area: not its cells, but whether there is a passage from each block of 4 x 4 cells to
+/// the next, two bits for each pair of neighbours. That is an eighth of the memory that two bits a cell would need, and
+/// a wall one cell thick still separates its two sides.
 ///
-/// A block stands for the largest piece of it that hangs together, or for the piece with the goal in it. What walls cut
-/// off from that piece belongs to no block. Two pieces that do not touch are connected where cells that were seen free
-/// lead from one to the other through the blocks around the two: through a door nearby. So corridors of fewer than 7
+/// A block stands for its largest connected piece, or for the piece that contains the goal. What walls cut off from
+/// that piece belongs to no block. Two pieces that do not touch are connected if cells that were seen free lead from
+/// one to the other through the blocks around the two, for example through a door nearby. So corridors of fewer than 7
 /// cells may look closed, if they are longer than that.
 ///
-/// When the agent comes back to a block whose cells it has forgotten, what it sees there may close passages, but opens
-/// none that were closed, unless the agent stands in them.
+/// When the agent comes back to a block whose cells it has forgotten, what it sees there may close passages. It opens
+/// no closed passage, unless the agent stands in it.
 class BlockGraph {
  public:
   /// What is known of the passage between two neighbouring blocks.
@@ -33,7 +33,7 @@ class BlockGraph {
   static constexpr int kMargin = 16;  ///< blocks between the agent and the window's edges
   static constexpr unsigned kWholeBlock = 0xffff;
 
-  /// Forgets everything; `seen` has been restarted where the agent is.
+  /// Forgets everything. `seen` must have been restarted at the agent's cell before.
   void restart(const SeenGrid& seen, CellIndex agent);
 
   /// Learns what has changed in `seen`, and where the agent and the goal are.
@@ -51,11 +51,11 @@ class BlockGraph {
 
   Surroundings around(CellIndex block) const;
 
-  /// From the piece of a block where the agent is, as it is now seen.
+  /// From the piece of the block in which the agent is, by what is seen now; `direction` is straight (even).
   Passage passageFrom(const SeenGrid& seen, CellIndex agent, std::size_t direction) const;
 
-  /// The block's cells that are not cut off from the largest piece, or from `inside`, a cell of it, where given; bit
-  /// 4 row + column from its first cell.
+  /// The block's cells that are not cut off from its largest piece or, if `inside` is given, from this cell of the
+  /// block. Bit 4 * row + column, counted from the block's first cell.
   unsigned pieceOf(const SeenGrid& seen, CellIndex block, bool through_doubtful,
                    const CellIndex* inside = nullptr) const;
 
@@ -80,7 +80,7 @@ class BlockGraph {
   void noteForgotten(CellIndex old_origin, const SeenGrid& seen);
 
   RollingWindow<kSide, 4> passages_;   ///< two bits to the east and two to the north
-  RollingWindow<kSide, 1> forgotten_;  ///< blocks whose cells have left the window of the cells since they were judged
+  RollingWindow<kSide, 1> forgotten_;  ///< blocks whose cells have left the window of cells since they were judged
   CellIndex seen_origin_;
   CellIndex agent_;
   CellIndex goal_;

@@ -7,11 +7,11 @@ namespace lstm_planner {
 /// On which side the wall is kept while a boundary is followed.
 enum class WallSide { kRight, kLeft };
 
-/// A piece of an obstacle's boundary: the side of a free cell where the neighbour is blocked. `wall` is even (east,
-/// north, west, south).
+/// A piece of an obstacle's boundary: the side of a free cell where the neighbour is blocked. `wall` is the direction
+/// of this neighbour, even (east, north, west, south).
 ///
-/// The edges of a connected region of free cells form cycles, one for each connected piece of boundary; which of two
-/// edges follows another where two blocked cells touch at a corner depends on whether the corner may be cut.
+/// The edges of a connected region of free cells form cycles, one for each connected piece of boundary. If two blocked
+/// cells touch at a corner, it depends on the rule for cutting corners which edge is the next one.
 struct BoundaryEdge {
   CellIndex cell;
   int wall = 0;
@@ -23,7 +23,7 @@ inline bool operator==(BoundaryEdge a, BoundaryEdge b) { return a.cell == b.cell
 struct BoundaryStep {
   /// Whether the next edge is known.
   enum class Kind {
-    kUnseen,  ///< what is needed has not been seen; `cells` are to be entered in any case
+    kUnseen,  ///< not known, as it has not been seen; `cells` must be entered in any case
     kStep     ///< `next` is the next edge, reached over `cells`
   };
   Kind kind = Kind::kUnseen;

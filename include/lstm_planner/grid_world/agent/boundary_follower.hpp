@@ -15,19 +15,19 @@ namespace lstm_planner {
 struct BoundaryParameters {
   CornerCutting corner_cutting = CornerCutting::kForbidden;
   double first_leg = 40.0;  ///< cells to follow a boundary before the first turning back
-  double leg_growth = 6.0;  ///< a later leg is as many times as long as the path between the ends where it starts
-  /// A leg is longer by as many cells for each cell that its end is nearer to the goal than the other end.
+  double leg_growth = 6.0;  ///< length of a later leg, divided by the length of the path between the ends at its start
+  /// A leg is longer by so many cells for each cell that its end is nearer to the goal than the other end.
   double goal_weight = 3.0;
 };
 
-/// Gets from anywhere to the goal with bounded memory wherever there is a path, and says so where there is none: a bug
-/// algorithm for the grid.
+/// A bug algorithm for the grid: with bounded memory it gets from anywhere to the goal if there is a path, and says so
+/// if there is none.
 ///
-/// It goes on to nearer cells until no neighbour is nearer to the goal than the cell that it stands on (octile
-/// distance, exact). There it has met a boundary, which it follows to one side and, turning back after growing legs, to
-/// the other (as in the doubling search of Baeza-Yates et al., "Searching in the plane", 1993), until it sees a cell
-/// nearer to the goal than any before. To the other end it goes by a trail that leaves out the dead ends of the
-/// boundary.
+/// It moves to nearer cells until no neighbour is nearer to the goal than the cell that it stands on (octile distance,
+/// exact). There it has met a boundary. It follows this to one side, turns back, follows it to the other side, and so
+/// on, on longer and longer legs (as in the doubling search of Baeza-Yates et al., "Searching in the plane", 1993),
+/// until it sees a cell that is nearer to the goal than all before. It goes to the other end along a trail that leaves
+/// out the dead ends of the boundary.
 ///
 /// Why it arrives. Let the best cell h be one where no neighbour is nearer. Each step of a staircase path P (east,
 /// north, west, south) from h to the goal makes the octile distance smaller, so P's first step goes into a blocked
@@ -47,7 +47,7 @@ class BoundaryFollower : public GridAgent {
   /// The path starts at the next observation.
   void start(CellIndex start, CellIndex goal) override;
   void observe(const GridObservation& observation) override;
-  /// Not to be asked at the goal.
+  /// Must not be called at the goal.
   int decide() override { return decision_; }
   GridLeader leader() const override { return GridLeader::kBoundary; }
   std::size_t peakBytes() const override;
@@ -85,7 +85,7 @@ class BoundaryFollower : public GridAgent {
   int end_ = 0;                ///< the end that is followed or returned to
   double leg_ = 0.0;           ///< cells gone since the leg started
   double path_back_ = 0.0;     ///< cells from there to the other end
-  bool leg_advanced_ = false;  ///< the leg has seen an edge that was new
+  bool leg_advanced_ = false;  ///< a new edge was seen on this leg
   BoundaryTrail trail_;
 };
 

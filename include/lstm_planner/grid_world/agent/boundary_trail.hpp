@@ -8,30 +8,30 @@
 
 namespace lstm_planner {
 
-/// The path between the two ends of what has been followed of a boundary, through the place where the agent stands,
-/// with loops cut off and bends cut short wherever the rays show that a straight path is free. Kept as the corners of a
-/// polyline; bounded, 4 KiB: when more corners are needed than there is room for, or one lies more than 32,767 cells
-/// from the first, the trail is lost.
+/// The path between the two ends of the followed part of a boundary, through the cell where the agent stands. Loops are
+/// cut off, and bends are cut short wherever the rays show that a straight path is free. It is kept as the corners of a
+/// polyline in 4 KiB: if there are too many corners, or if one lies more than 32,767 columns or rows from the first,
+/// the trail is lost.
 class BoundaryTrail {
  public:
   static constexpr std::size_t kCapacity = 1024;
 
   explicit BoundaryTrail(CornerCutting corner_cutting) : corner_cutting_(corner_cutting) {}
 
-  /// Both ends are where the agent stands.
+  /// Starts a new trail: both ends are where the agent stands.
   void clear();
 
-  /// The agent has moved by one cell to the observed one; `follows` is the end that it takes along, -1 when it is on
-  /// its path between the ends.
+  /// The agent has moved by one cell, from `from` to the observed cell. `follows`: the end that moves with it; -1 while
+  /// it walks between the ends.
   void moved(CellIndex from, const GridObservation& observation, int follows);
 
-  /// More corners were needed than there is room for; nothing below may be asked until clear().
+  /// The trail is lost; the functions below must not be called until clear().
   bool lost() const { return lost_; }
 
   bool atEnd(int end) const { return counts_[index(end)] == 0; }
-  /// Direction of the first step to an end that is elsewhere.
+  /// Direction of the first step from `cell`, where the agent is, to an end at which it is not.
   int directionTo(int end, CellIndex cell) const;
-  /// Cells.
+  /// Length of the path from `cell`, where the agent is, to an end; in cells.
   double lengthTo(int end, CellIndex cell) const;
 
  private:

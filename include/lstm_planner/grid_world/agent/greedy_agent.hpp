@@ -4,9 +4,9 @@
 
 namespace lstm_planner {
 
-/// Makes the possible move that brings it nearest to the goal by octile distance, of equally near ones the one that
-/// comes first in kGridRaySteps. Remembers nothing, so it walks to and fro in front of the first obstacle that is not
-/// convex: what an agent is worth is how much better than this it does.
+/// Takes the possible move whose end is nearest to the goal by octile distance; of equally near ones the first in
+/// kGridRaySteps. It remembers nothing, so it walks back and forth in front of the first obstacle that is not convex.
+/// This is the baseline for other agents.
 class GreedyAgent : public GridAgent {
  public:
   explicit GreedyAgent(CornerCutting corner_cutting = CornerCutting::kForbidden) : corner_cutting_(corner_cutting) {}

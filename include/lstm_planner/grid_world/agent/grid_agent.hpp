@@ -21,7 +21,7 @@ struct GridObservation {
 /// Answer of an agent that has found out that there is no path to the goal.
 constexpr int kNoPath = -1;
 
-/// What made a decision.
+/// What decided a step.
 enum class GridLeader {
   kNetwork,
   kSearch,    ///< a path was searched for, in the whole map or in what is remembered
@@ -48,22 +48,22 @@ class GridAgent {
 
   virtual void observe(const GridObservation& observation) = 0;
 
-  /// The direction to move in (kGridRaySteps), or kNoPath. Asked twice after one observation it answers the same.
+  /// The direction to move in (index in kGridRaySteps), or kNoPath. The same for every call after one observation.
   virtual int decide() = 0;
 
-  /// What made the decision that decide() answers with.
+  /// What decided the direction that decide() returns.
   virtual GridLeader leader() const = 0;
 
-  /// Of that decision, where it is a network's.
+  /// Whether a network's choice was overruled in that decision; kNo for other leaders.
   virtual Overruled overruled() const { return Overruled::kNo; }
-  /// The move of a network lies on a shortest path between the remembered walls.
+  /// Whether a network decided, and its move lies on a shortest path between the remembered walls.
   virtual bool onPath() const { return false; }
 
-  /// What became of the move that was tried: `moved` is false when it ran into an obstacle.
+  /// Result of the move that was tried: `moved` is false if it ran into an obstacle.
   virtual void step(int /*direction*/, bool /*moved*/) {}
 
-  /// Memory of the agent itself that an episode needed so far, at its highest: the model's weights, hidden state,
-  /// escape, lists and maps of a search. Bytes.
+  /// The most memory that the agent itself has needed in the episode so far, bytes: the model's weights, hidden state,
+  /// escape, lists and maps of a search.
   virtual std::size_t peakBytes() const = 0;
 
   /// Cells taken from the open list of a search since start(); 0 for an agent that does not search.

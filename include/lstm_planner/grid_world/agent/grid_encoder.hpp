@@ -13,11 +13,11 @@ namespace lstm_planner {
 
 constexpr int kGridInputs = kGridRayCount + 3;
 
-/// Input i goes to input[i * stride]. `previous_direction`: kNoPath before the first move. All inputs are finite and in
-/// [-1, 1].
+/// Writes input i to input[i * stride]. `previous_direction`: kNoPath before the first move, which gives 0. All inputs
+/// are finite and in [-1, 1].
 void encodeGrid(const GridObservation& observation, int previous_direction, float* input, int stride);
 
-/// To the metadata of a model file (key: grid_inputs).
+/// Writes the key grid_inputs, which says that a model has these inputs.
 void writeGridMetadata(std::map<std::string, std::string>* metadata);
 /// Throws std::invalid_argument for a model that was not made for the grid world, or has other inputs.
 void checkGridMetadata(const std::map<std::string, std::string>& metadata);

@@ -12,32 +12,31 @@ namespace lstm_planner {
 struct GridGuideParameters {
   CornerCutting corner_cutting = CornerCutting::kForbidden;
   AreaPlannerParameters area;
-  /// Steps for which there may be no path at all in what is remembered, before boundaries are followed.
+  /// Steps, all together, with no path between the remembered walls, before boundaries are followed.
   int most_steps_without_path = 50;
-  /// And the steps that may pass without anything new to see: so many times the path that was planned when something
-  /// new was seen, and so many more.
+  /// Steps without seeing anything new, before boundaries are followed: the length of the path that was planned when
+  /// something new was last seen, times most_times_planned, plus most_steps_more.
   double most_times_planned = 2.0;
   int most_steps_more = 200;
-  /// Of the boundary following. Here a place is new where something is seen for the first time.
+  /// Of the boundary following. Here a place is new if something is seen there for the first time.
   GridEscapeParameters last_resort = {{}, 3000, 50000, 40.0};
 };
 
-/// Knows the way to the goal: the path between what is remembered of the walls (AreaPlanner), which is certain to
-/// arrive only where that memory is right; where it is not, boundary following (GridEscape). So whoever follows it, or
-/// strays from it by a bounded length, arrives wherever there is a path. It is an agent by itself: all that the shipped
-/// one has but for its network.
+/// Knows a way to the goal: the path between the remembered walls (AreaPlanner). That path is certain to arrive only if
+/// the memory is right; if it is not, boundaries are followed (GridEscape). So an agent that follows it, or leaves it
+/// for a bounded length, arrives if there is a path. It is an agent by itself: the shipped one without its network.
 class GridGuide : public GridAgent {
  public:
   /// Throws std::invalid_argument for parameters out of range.
   explicit GridGuide(const GridGuideParameters& parameters = {});
 
   void start(CellIndex start, CellIndex goal) override;
-  /// Once before each step, whoever makes it.
+  /// To be called once before each step, also if something else decides the step.
   void observe(const GridObservation& observation) override;
   int decide() override { return direction_; }
-  /// kSearch: the remembered path leads; kBoundary; kGreedy where no path is known for a while.
+  /// kSearch: the remembered path leads; kBoundary: boundary following; kGreedy: no path is known at the moment.
   GridLeader leader() const override { return leader_; }
-  /// AreaPlanner::regretOf(), where the remembered path leads.
+  /// AreaPlanner::regretOf(); only while the remembered path leads.
   double regretOf(int direction) { return area_.regretOf(direction); }
 
   std::size_t peakBytes() const override;

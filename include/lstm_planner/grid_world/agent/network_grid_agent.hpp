@@ -12,18 +12,17 @@
 
 namespace lstm_planner {
 
-/// An agent whose decisions a network makes: LSTM, RNN, MLP or Q-network, whatever the model holds. The shield removes
-/// moves into obstacles. A bound removes detours: the move that the network prefers is carried out while its regrets
-/// against the remembered path stay within the bound (DetourBound); else that path decides the step. So any network
-/// arrives.
+/// An agent that is led by the network of a model: LSTM, RNN, MLP or Q-network. The shield removes moves into
+/// obstacles. A bound limits detours: the move that the network prefers is carried out while the sum of its regrets
+/// stays within the bound (DetourBound); otherwise the remembered path decides the step. So any network arrives.
 class NetworkGridAgent : public GridAgent {
  public:
-  /// What watches over the network, and how it may move.
+  /// What limits the network, and how the agent may move.
   struct Options {
     bool shield = true;  ///< off: the preferred move is tried even where it was sensed to be blocked
     bool guided = true;  ///< off: nothing is remembered for the network, and nothing limits its detours
-    /// Of a network that is not guided: steps in which the agent has come no nearer to the goal, after which moves are
-    /// drawn with the probabilities that the network gives, so that it leaves circles. 0: never.
+    /// Only if `guided` is false: steps without a new best distance to the goal, after which moves are drawn with the
+    /// probabilities that the network gives, so that the agent leaves circles. 0: never.
     int draw_after = 0;
     DetourParameters detour = {0.0, 0.01};  ///< cells
     GridGuideParameters guide;

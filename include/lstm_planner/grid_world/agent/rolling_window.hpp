@@ -10,8 +10,8 @@
 
 namespace lstm_planner {
 
-/// A few bits for each place of a square window that rolls along over an endless plane, zero where nothing was set: the
-/// window lies over the plane like a torus, so that nothing is copied when it rolls. `kBits` is 1, 2 or 4.
+/// A few bits for each place of a square window that moves over an endless plane; 0 where nothing was set. Places are
+/// stored as on a torus, so that nothing is copied when the window moves. `kBits` is 1, 2 or 4.
 template <int kWindowSide, int kBits>
 class RollingWindow {
  public:
@@ -26,7 +26,7 @@ class RollingWindow {
     on_torus_ = {onTorus(origin_.column), onTorus(origin_.row)};
   }
 
-  /// Rolls in strides, no farther than needed for `place` to stay at least `margin` away from the window's edges.
+  /// Moves the window, in strides of 16 places, until `place` is at least `margin` places away from its edges.
   void keepInside(CellIndex place, int margin) {
     rollAlong(place.column, margin, &CellIndex::column);
     rollAlong(place.row, margin, &CellIndex::row);
@@ -51,8 +51,8 @@ class RollingWindow {
     byte = static_cast<std::uint8_t>((byte & ~(kMask << shift)) | value << shift);
   }
 
-  /// The values of four rows, of as many places from `first` on as a byte holds, whose column is a multiple of that
-  /// number: a byte a row, the first one in the lowest bits.
+  /// The values of four rows from `first` on, a byte a row, the first row in the lowest bits. `first.column` must be a
+  /// multiple of the number of places in a byte.
   std::uint32_t fourBytesFrom(CellIndex first) const {
     const bool inside = contains(first) && contains({first.column + kPlaces - 1, first.row + 3});
     std::uint32_t bytes = 0;

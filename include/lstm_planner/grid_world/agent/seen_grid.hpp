@@ -21,7 +21,7 @@ constexpr CellIndex blockOf(CellIndex cell) { return {blockAlong(cell.column), b
 /// Lowest column and row.
 constexpr CellIndex firstCellOf(CellIndex block) { return {block.column * kBlockSide, block.row * kBlockSide}; }
 
-/// What an agent has seen of the cells near it: two bits a cell of a square window that rolls along with it.
+/// What an agent has seen of the cells near it: two bits a cell, in a square window that moves with it.
 class SeenGrid {
  public:
   /// What is known of a cell.
@@ -49,14 +49,14 @@ class SeenGrid {
   /// Marks what the rays show.
   void observe(const GridObservation& observation);
 
-  /// The blocks in which the latest observation has changed something; some stand there twice.
+  /// The blocks in which the latest observation has changed something; a block may occur twice.
   const std::vector<CellIndex>& changedBlocks() const { return changed_blocks_; }
 
   CellIndex origin() const { return cells_.origin(); }
   bool contains(CellIndex cell) const { return cells_.contains(cell); }
   /// kUnknown outside.
   Cell at(CellIndex cell) const { return static_cast<Cell>(cells_.at(cell)); }
-  /// The cells beside one that are walls or, unless `through_doubtful`, may be: bit d for direction d.
+  /// The neighbours of a cell that are walls or, unless `through_doubtful`, doubtful: bit d for direction d.
   unsigned wallsBeside(CellIndex cell, bool through_doubtful) const {
     const std::array<unsigned, 9> around = cells_.around(cell);
     constexpr std::array<std::size_t, kGridRayCount> kPlaces = {5, 8, 7, 6, 3, 0, 1, 2};
@@ -68,7 +68,7 @@ class SeenGrid {
     }
     return walls;
   }
-  /// Of which cells of a block that is true, as bit 4 row + column from its first cell.
+  /// The cells of a block that are free, doubtful, and walls: bit 4 * row + column, counted from its first cell.
   BlockCells cellsOf(CellIndex block) const {
     static_assert(kBlockSide == 4, "a byte a row");
     const std::uint32_t cells = cells_.fourBytesFrom(firstCellOf(block));

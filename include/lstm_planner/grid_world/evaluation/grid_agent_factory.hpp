@@ -15,24 +15,23 @@ struct GridAgentOptions {
   std::string model;  ///< ONNX file of an agent that is a network
   CornerCutting corner_cutting = CornerCutting::kForbidden;
   Heuristic heuristic = Heuristic::kOctile;  ///< of A*
-  bool keep_closed = false;                  ///< of A*: cells are expanded once, however reached later
+  bool keep_closed = false;                  ///< of A*: each cell is expanded only once
   MoveCosts costs;                           ///< of A*
   bool diagonal_moves = true;                ///< of A*; false: it has four moves
-  NetworkGridAgent::Options network;         ///< of a network, but for the corners
+  NetworkGridAgent::Options network;         ///< of a network; corner_cutting above counts
 };
 
 /// "astar", "dstar", "rolling_escape", "greedy", "boundary" and the networks: "lstm", "rnn", "mlp",
 /// "qlearning", "network".
 const std::vector<std::string>& gridAgentNames();
 
-/// Whether the agent of this name needs a model. Which layers it has is the model file's business; the names say what
-/// a table calls it.
+/// Whether the agent of this name needs a model. The name is only for tables: the model file says which layers it has.
 bool isNetworkAgent(const std::string& name);
 
-/// The shipped file, relative to the package, of a network agent's name.
+/// The shipped model file of the network agent with this name, relative to the package.
 std::string shippedModelOf(const std::string& name);
 
-/// A maker of such agents; a model is read once, here. Throws std::invalid_argument for an unknown name, a missing
+/// A maker of such agents; a model is read here, once. Throws std::invalid_argument for an unknown name or a missing
 /// model, and ModelFileError or std::invalid_argument for a model that cannot be used.
 GridAgentMaker gridAgentMaker(const GridAgentOptions& options);
 

@@ -26,8 +26,9 @@ struct GridEvaluationOptions {
   std::function<void(double)> progress;       ///< told the share done, from the calling thread; may be empty
 };
 
-/// Runs the tasks [first, last) of a set, each with an agent of its own, and returns their episodes in this order. But
-/// for the times, they do not depend on the number of threads and ranks nor on how the tasks are split into ranges.
+/// Runs the tasks [first, last) of a set, each with an agent of its own, and returns their episodes in this order.
+/// Except for the times, they depend neither on the number of threads and ranks nor on how the tasks are split into
+/// ranges.
 std::vector<GridEpisode> evaluateGridTasks(const GridTaskSet& set, std::size_t first, std::size_t last,
                                            const GridAgentMaker& make_agent, const GridEvaluationOptions& options);
 
@@ -61,8 +62,8 @@ struct GridSetSummary {
 /// Throws std::invalid_argument when there is no episode.
 GridSetSummary summarizeGridEpisodes(const std::string& name, const std::vector<GridEpisode>& episodes);
 
-/// With `success`, `collisions` and `timeouts` as shares of the scenarios; what is missing to 1 are agents that said
-/// that there is no path. A mean over nothing is null.
+/// `success`, `collisions` and `timeouts` are shares of the scenarios; in the rest the agent said that there is no
+/// path. A mean over nothing is null.
 nlohmann::json toJson(const GridSetSummary& summary);
 
 /// For people: one line a set.

@@ -20,10 +20,10 @@ struct NamedGridAgent {
 GridPicture pictureOfTask(const GridTaskSet& set, std::size_t task, const std::vector<NamedGridAgent>& agents,
                           const GridEpisodeRules& rules);
 
-/// The task with the longest path relative to the optimum, of those that arrived.
+/// Of the tasks that arrived, the one with the longest path relative to the optimum; empty if none arrived.
 std::optional<std::size_t> longestDetour(const std::vector<GridEpisode>& episodes);
 
-/// The task in the middle, of those that arrived, by ratio.
+/// Of the tasks that arrived, the one with the median ratio; empty if none arrived.
 std::optional<std::size_t> typicalArrival(const std::vector<GridEpisode>& episodes);
 
 /// The tasks with the given end, the shortest optimum first.

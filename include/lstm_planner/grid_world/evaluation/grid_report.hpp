@@ -12,7 +12,7 @@ namespace lstm_planner {
 /// An agent of a report.
 struct ReportAgent {
   NamedGridAgent agent;
-  bool searches = false;  ///< A* and D*: pictures show their paths beside those of the others
+  bool searches = false;  ///< A* and D*: pictures show their paths, too
 };
 
 /// What several agents did in the same tasks.
@@ -23,7 +23,7 @@ struct GridComparison {
   GridEpisodeRules rules;
 };
 
-/// Tables 3.7-3.9 of the thesis for every set, with the thesis's own figures in the rows above ours, as Markdown.
+/// Tables 3.7-3.9 of the thesis for every set, as Markdown; the thesis's values are in the rows above ours.
 std::string reportTables(const GridComparison& comparison);
 
 /// A line for each set and agent, the thesis's included.
@@ -48,7 +48,7 @@ struct ReportPicture {
 };
 
 /// The thesis's Figures 3.10-3.14, as far as the comparison has such cases: a long detour, a collision, a deadlock, a
-/// path out of a blind alley in a maze, and a random map.
+/// path out of a dead end in a maze, and a random map.
 std::vector<ReportPicture> choosePictures(const GridComparison& comparison);
 
 /// Figure 3.9: a task of a training map.

@@ -22,11 +22,11 @@ struct GridSetFiles {
   std::vector<GridMapFiles> maps;
 };
 
-/// The sets in a folder: `folder` is a set with `Scenarios` and `Maps` in it, or its `Scenarios`, or holds `.scen`
-/// files beside their maps, or is a folder of such sets, or holds one as `scenarios`. Where the maps' names are
-/// NAME-NUMBER with several NAMEs, as in the benchmark's archives of mazes and of random maps, each is a set of its
-/// own. Throws std::invalid_argument when there is no scenario file, and MovingAiFileError when the first scenario of a
-/// file cannot be read.
+/// The sets in a folder. `folder` is a set with `Scenarios` and `Maps` in it, or its `Scenarios`, or holds `.scen`
+/// files beside their maps, or is a folder of such sets, or holds one as `scenarios`. If the maps' names are
+/// NAME-NUMBER with several NAMEs, as in the benchmark's archives of mazes and of random maps, each NAME is a set.
+/// Throws std::invalid_argument if there is no scenario file, and MovingAiFileError if the first scenario of a file
+/// cannot be read.
 std::vector<GridSetFiles> findGridSets(const std::string& folder);
 
 /// Which maps of a set take part. Learning keeps to the maps numbered 0 to 5 of a set (the number at the end of the
@@ -37,9 +37,9 @@ enum class MapSelection { kAll, kTrain, kValidation };
 /// Which scenarios of a benchmark set take part.
 struct ScenarioSelection {
   MapSelection maps = MapSelection::kAll;
-  double min_length = 0.0;  ///< cells, of the optimum, inclusive
+  double min_length = 0.0;  ///< cells, of the shortest path, inclusive
   double max_length = std::numeric_limits<double>::infinity();
-  std::size_t count = 0;  ///< of a set, drawn without putting back; 0 = all
+  std::size_t count = 0;  ///< of a set, drawn without repetition; 0 = all
   std::uint64_t seed = 1;
   PassableRule rule = PassableRule::kBenchmark;
 };
@@ -55,22 +55,22 @@ struct GridTask {
   double optimal_length = 0.0;  ///< cells, without corner cutting
 };
 
-/// What an agent is judged by in one set.
+/// The tasks on which an agent is judged in one set.
 struct GridTaskSet {
   std::string name;
   std::vector<std::string> map_names;
   std::vector<PassableGrid> maps;
   std::vector<GridTask> tasks;  ///< map by map
-  /// Scenarios that were left out, of the selected maps and lengths, because the benchmark gives the length 0 to goals
-  /// that cannot be reached: a hundred of Dragon Age's hundred thousand.
+  /// Scenarios of the selected maps and lengths that were left out because their goal cannot be reached, which the
+  /// benchmark marks with the length 0: a hundred of Dragon Age's hundred thousand.
   std::size_t without_path = 0;
   /// Scenarios that were drawn and left out because they start or end on a cell that is not passable: in water or
   /// trees, and a few of the benchmark in walls. Others were drawn in their place.
   std::size_t with_blocked_end = 0;
 };
 
-/// Draws from a set's scenarios; the same for the same seed, whatever other sets are drawn. Reads only the maps of the
-/// scenarios that are drawn. Throws MovingAiFileError for files that cannot be used and std::invalid_argument when no
+/// Draws from a set's scenarios; the same for the same seed, also if other sets are drawn. Reads only the maps of the
+/// scenarios that are drawn. Throws MovingAiFileError for files that cannot be used, and std::invalid_argument if no
 /// scenario is left.
 GridTaskSet drawGridTasks(const GridSetFiles& files, const ScenarioSelection& selection);
 

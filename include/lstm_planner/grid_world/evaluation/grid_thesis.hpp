@@ -8,12 +8,12 @@ namespace lstm_planner {
 /// One of the thesis's tables of online tests, as printed: 50 scenarios with paths of at most 300 steps, corner cutting
 /// allowed, 1,000 steps an episode.
 struct ThesisTable {
-  /// Figures of one agent.
+  /// Values of one agent.
   struct Row {
     std::string agent;
     double success = 0.0;   ///< share
-    double seconds = 0.0;   ///< average time
-    double length = 0.0;    ///< average
+    double seconds = 0.0;   ///< average time, s
+    double length = 0.0;    ///< average, cells
     double expanded = 0.0;  ///< average number of nodes
   };
   std::string number;
@@ -22,8 +22,8 @@ struct ThesisTable {
   std::vector<Row> rows;
 };
 
-/// The table about a benchmark set, by the set's name ("DragonAge", "Mazes_8w", "Random25" and the like); nullptr where
-/// the thesis has none.
+/// The table about a benchmark set, by the set's name ("DragonAge", "Mazes_8w", "Random25" or similar); nullptr if the
+/// thesis has none.
 const ThesisTable* thesisTableOf(const std::string& set_name);
 
 }  // namespace lstm_planner

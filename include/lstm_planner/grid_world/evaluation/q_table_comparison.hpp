@@ -15,8 +15,8 @@ struct QTableComparisonParameters {
   QTableParameters table;
   int size = 32;                                             ///< cells, of the maps
   int maps = 5;                                              ///< of each kind
-  int starts = 50;                                           ///< to judge from, of each map; never too near to the goal
-  std::vector<int> episodes = {10, 100, 1000, 3000, 10000};  ///< after which is judged, rising
+  int starts = 50;                                           ///< of the episodes that judge, in each map
+  std::vector<int> episodes = {10, 100, 1000, 3000, 10000};  ///< after so many the table is judged; rising
   int max_steps = 1000;                                      ///< of an episode that judges
   std::uint64_t seed = 1;
   int threads = 2;  ///< does not change the result
@@ -29,7 +29,7 @@ struct QTableRow {
   std::string agent;
   std::int64_t steps = 0;  ///< learned from on each map, on average; 0 for an agent that knows none of them
   double arrived = 0.0;    ///< share
-  double ratio = 0.0;      ///< length / optimum, mean of those that arrived; not a number where none did
+  double ratio = 0.0;      ///< length / optimum, mean of those that arrived; not a number if none did
 };
 /// The rows of one kind of maps.
 struct QTableOutcome {
@@ -37,9 +37,10 @@ struct QTableOutcome {
   std::vector<QTableRow> rows;
 };
 
-/// Judges a table after so many episodes from random starts, the last one also for another goal than it learned, and
-/// `others`, which have seen none of the maps: tabular Q-learning (thesis Eq. 2.35) beside networks. `progress` is told
-/// the share done.
+/// Compares tabular Q-learning (thesis Eq. 2.35) with `others`, which have seen none of the maps. The table learns in
+/// episodes from random starts, and is judged after each number of `episodes`; after the last one also with another
+/// goal. Calls `progress` with the share that is done. Throws as validate(), and std::runtime_error if a map has no two
+/// cells far enough from each other.
 std::vector<QTableOutcome> compareQTables(const QTableComparisonParameters& parameters,
                                           const std::vector<std::pair<std::string, GridAgentMaker>>& others,
                                           const std::function<void(double)>& progress = {});

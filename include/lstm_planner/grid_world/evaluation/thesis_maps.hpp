@@ -11,12 +11,12 @@ namespace lstm_planner {
 struct ThesisMaps {
   std::vector<GridMapFiles> training;    ///< five maps: mazes of width 2 and 4, random fill 25 and 40 %
   std::vector<GridMapFiles> validation;  ///< three others of these sets
-  /// Of each set that has a table in the thesis at most ten maps, none of them one of the training.
+  /// At most ten maps of each set that has a table in the thesis, and none of the maps for training.
   std::vector<GridSetFiles> tests;
 };
 
-/// Draws them from the sets, which are told by their names. Throws std::invalid_argument naming the sets when one of
-/// the training's is missing or has too few maps, or there is none to test in.
+/// Draws them from the sets, which are found by their names. Throws std::invalid_argument naming the sets if one for
+/// training is missing or has too few maps, or if there is none to test in.
 ThesisMaps chooseThesisMaps(const std::vector<GridSetFiles>& sets, std::uint64_t seed);
 
 }  // namespace lstm_planner

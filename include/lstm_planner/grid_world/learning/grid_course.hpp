@@ -17,8 +17,8 @@ struct CourseMap {
   RangeTable ranges;
 };
 
-/// A place to go to: the true distance to it from everywhere (known while learning only), and where to start from, by
-/// length of the shortest path.
+/// A goal: the true distance to it from everywhere (known only while learning), and possible starts by the length of
+/// the shortest path.
 struct CourseGoal {
   std::shared_ptr<const CourseMap> map;
   CellIndex goal;
@@ -31,13 +31,13 @@ struct CourseGoal {
 struct GridCourseParameters {
   double min_length = 10.0;   ///< cells; of the shortest path, >= 2
   double max_length = 300.0;  ///< cells
-  double short_share = 0.5;   ///< of the episodes whose length is drawn in proportion to 1 / length, not uniformly
-  double long_share = 0.05;   ///< of the episodes that are longer than max_length
-  double longest = 1500.0;    ///< cells; of those
+  double short_share = 0.5;   ///< share of episodes whose length has a probability in proportion to 1 / length
+  double long_share = 0.05;   ///< share of episodes that are longer than max_length
+  double longest = 1500.0;    ///< cells; largest length of those
   int goals = 600;            ///< kept at a time, over all maps
-  bool mirrored = true;       ///< every map also mirrored at its diagonal
-  /// Share of the episodes that start where deadEndBelow() the drawn start is, far from the goal: in a blind spot
-  /// (thesis ch. 5), from which the path leads away from the goal at first.
+  bool mirrored = true;       ///< every map is also used mirrored at its diagonal
+  /// Share of the episodes that start at deadEndBelow() of the drawn start: in a blind spot (thesis ch. 5), from which
+  /// the path at first leads away from the goal.
   double dead_end_share = 0.0;
   CornerCutting corner_cutting = CornerCutting::kForbidden;
 };
@@ -45,16 +45,16 @@ struct GridCourseParameters {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const GridCourseParameters& parameters);
 
-/// Where an agent ends that moves from `start` to the neighbour nearest to the goal as the crow flies, as long as one
-/// is nearer than where it is: the goal, or a dead end.
+/// The cell where an agent stops that moves from `start` always to the neighbour nearest to the goal, as long as one is
+/// nearer than its own cell: the goal, or a dead end.
 CellIndex deadEndBelow(const PassableGrid& grid, CellIndex start, CellIndex goal, CornerCutting corner_cutting);
 
-/// Draws the episodes to learn from: as many of each set of maps, and lengths of the shortest path uniformly in their
-/// range or, for a share of the episodes, in proportion to 1 / length: what counts in the mean of length / optimum are
-/// short paths. A few are much longer.
+/// Draws the episodes to learn from, equally often from each set of maps. The length of the shortest path is uniform in
+/// its range or, for a share of the episodes, has a probability in proportion to 1 / length, because short paths count
+/// most in the mean of length / optimum. A few paths are much longer.
 class GridCourse {
  public:
-  /// One walk to learn from.
+  /// One episode to learn from.
   struct Episode {
     std::shared_ptr<const CourseGoal> goal;
     CellIndex start;
@@ -69,7 +69,7 @@ class GridCourse {
   /// May be called from several threads at once, with different generators.
   Episode draw(Random& random) const;
 
-  /// Replaces the oldest `count` goals by new ones; not while others draw.
+  /// Replaces the oldest `count` goals by new ones. Must not be called while another thread draws.
   void renew(int count);
 
  private:

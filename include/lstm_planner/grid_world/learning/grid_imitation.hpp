@@ -13,15 +13,15 @@ namespace lstm_planner {
 
 /// Learning to walk the grid world from a supervisor that knows the map (thesis 2.3.1 and 3.2).
 ///
-/// One round is the thesis's way: the supervisor leads, the network learns to answer as it does. Further rounds are
-/// those of ImitationRounds.
+/// One round is the thesis's way: the supervisor leads, and the network learns to give the same answers. Further rounds
+/// are those of ImitationRounds.
 struct GridImitationParameters {
-  /// A round draws hundreds of paths, not millions: a few goals will do.
+  /// A round draws hundreds of paths, not millions: a few goals are enough.
   GridImitationParameters() { course.goals = 150; }
 
   GridCourseParameters course;
   GridDatasetParameters dataset;  ///< of each round
-  int validation_steps = 10240;   ///< thesis Table 3.1; after each round as many again, of paths that the network leads
+  int validation_steps = 10240;   ///< collected in each round (thesis Table 3.1); from the second on the network leads
   int rounds = 1;                 ///< from the second on the network leads most of the paths
   int batch_steps = 4096;         ///< steps an update; the thesis's are sequence_steps. Sets trainer.batch_size
   TrainerParameters trainer;      ///< for each round
@@ -29,7 +29,7 @@ struct GridImitationParameters {
   int threads = 2;  ///< does not change the result
 };
 
-/// Visits the parameters of a round that have an option, but the supervisor, the loss and the optimiser, named as it;
+/// Visits the parameters of a round that have an option, by the option's name, except supervisor, loss and optimiser;
 /// see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
 void visitGridImitationParameters(Parameters& p, const Visitor& visit) {
@@ -50,8 +50,9 @@ GridImitationParameters thesisImitation();
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const GridImitationParameters& parameters);
 
-/// Rounds of imitation from the weights of `layers`, which collect on these maps. The same arguments give the same
-/// weights, bit for bit, for any number of threads. Throws std::invalid_argument for what does not fit together.
+/// Rounds of imitation that start from the weights of `layers` and collect on these maps. The same arguments give the
+/// same weights, bit for bit, for any number of threads. Throws std::invalid_argument if the arguments do not fit
+/// together.
 std::unique_ptr<ImitationRounds> gridImitation(const GridImitationParameters& parameters, const LayerStack& layers,
                                                std::vector<GridCourse::Set> training,
                                                const std::vector<GridCourse::Set>& validation);

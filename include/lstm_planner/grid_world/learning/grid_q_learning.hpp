@@ -12,21 +12,21 @@ namespace lstm_planner {
 /// Q-learning (Watkins and Dayan 1992; thesis Eq. 2.34-2.39) with a recurrent network whose outputs are the values of
 /// the moves (Hausknecht and Stone, "Deep recurrent Q-learning for partially observable MDPs", 2015).
 ///
-/// Many agents walk at once, and the weights learn from the window of steps that all of them just made, instead of from
-/// a replay memory: such steps are as little correlated as replayed ones (Mnih et al., "Asynchronous methods for deep
-/// reinforcement learning", ICML 2016), and the hidden state in which a window starts is the one that today's network
-/// has there, where a replayed window would need one that an older network left.
+/// Many agents walk at the same time, and the weights learn from the window of steps that all of them just made,
+/// instead of from a replay memory. Such steps are as little correlated as replayed ones (Mnih et al., "Asynchronous
+/// methods for deep reinforcement learning", ICML 2016), and the hidden state at the start of a window is that of the
+/// current network; for a replayed window it would be that of an older one.
 ///
-/// The reward of a step is how much shorter the true shortest path to the goal has become, less a cost; an arrival has
+/// The reward of a step is how much shorter the true shortest path to the goal has become, minus a cost; an arrival has
 /// a bonus. Lengths are in cells, and an update is made after `window` steps of each agent.
 struct GridQLearningParameters : QLearningParameters {
   GridCourseParameters course;
   int updates = 20000;  ///< of the weights, over all epochs
-  int epochs = 10;      ///< 1 to `updates`; each with goals and episodes of its own, checkpoints lie between them
+  int epochs = 10;      ///< 1 to `updates`; each has its own goals and episodes, checkpoints are between them
   int agents = 256;     ///< at a time; rounded up to whole tiles
 };
 
-/// Visits those of its own, named as the options; see parameter_visitors.hpp.
+/// Visits the parameters of its own that have an option, by the option's name; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
 void visitGridQLearningParameters(Parameters& p, const Visitor& visit) {
   visit("updates", p.updates, {1, 1e9}, "", "number of updates of the weights, in all epochs together");
@@ -38,7 +38,7 @@ void visitGridQLearningParameters(Parameters& p, const Visitor& visit) {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const GridQLearningParameters& parameters);
 
-/// The training: a step is an update, and after each epoch it is judged.
+/// The training: a step is an update, and after each epoch the network is judged.
 class GridQLearning : public SteppedTraining {
  public:
   virtual int epoch() const = 0;        ///< done so far
@@ -54,8 +54,8 @@ class GridQLearning : public SteppedTraining {
   virtual Report report() = 0;
 };
 
-/// `layers` with weights to start from; kGridInputs inputs and kGridMoveCount outputs. Throws std::invalid_argument for
-/// what does not fit, and as GridCourse.
+/// `layers` hold the weights to start from, and have kGridInputs inputs and kGridMoveCount outputs. Throws
+/// std::invalid_argument if something does not fit, and as GridCourse.
 std::unique_ptr<GridQLearning> makeGridQLearning(const GridQLearningParameters& parameters,
                                                  std::vector<GridCourse::Set> maps, LayerStack layers);
 

@@ -20,33 +20,33 @@ struct StructureTrial {
   std::string structure() const;  ///< as in the thesis: "1 LSTM layer - 4 cells"
 };
 
-/// All of the thesis, stage by stage.
+/// All trials of the thesis, stage by stage.
 std::vector<StructureTrial> thesisTrials();
 
-/// What a trial brought, at its best epoch on the validation set.
+/// Result of a trial at its best epoch on the validation set.
 struct StructureOutcome {
   StructureTrial trial;
   std::size_t weights = 0;
-  double training_accuracy = 0.0;
+  double training_accuracy = 0.0;  ///< share, as the next one
   double validation_accuracy = 0.0;
   int best_epoch = 0;
 };
 
-/// Trains every structure on the same paths, `parameters.threads` of them at a time; an update is a time sequence, as
-/// in the thesis, whatever parameters.batch_steps says. `progress` is told the share done and ends the search when it
-/// returns false; it is called from several threads, one at a time. Structures whose training was not started or did
-/// not end are left out. The same for any number of threads. Throws as gridImitation().
+/// Trains every structure on the same paths, `parameters.threads` structures at a time. As in the thesis, an update is
+/// a time sequence: parameters.batch_steps has no effect. Calls `progress` with the share that is done, from several
+/// threads, one at a time; if it returns false, the search ends. Structures whose training was not started or not
+/// finished are left out. The same for any number of threads. Throws as gridImitation().
 std::vector<StructureOutcome> searchGridStructures(const GridImitationParameters& parameters,
                                                    const std::vector<StructureTrial>& trials,
                                                    const std::vector<GridCourse::Set>& training,
                                                    const std::vector<GridCourse::Set>& validation,
                                                    const std::function<bool(double)>& progress = {});
 
-/// A Markdown table a stage, the thesis's accuracies beside the outcomes.
+/// A Markdown table for each stage, with the thesis's accuracies beside the outcomes.
 std::string structureTables(const std::vector<StructureOutcome>& outcomes);
 
-/// One line an outcome: stage, layers, cells, weights, sequence_steps, thesis_accuracy (empty where it prints none),
-/// validation_accuracy, training_accuracy, best_epoch.
+/// One line for each outcome: stage, layers, cells, weights, sequence_steps, thesis_accuracy (empty if the thesis
+/// prints none), validation_accuracy, training_accuracy, best_epoch.
 std::string structureCsv(const std::vector<StructureOutcome>& outcomes);
 
 }  // namespace lstm_planner

@@ -12,7 +12,7 @@ namespace lstm_planner {
 
 /// How the table learns.
 struct QTableParameters {
-  double learning_rate = 0.5;  ///< alpha, in (0, 1]; 1 forgets the old value, which is right where nothing is random
+  double learning_rate = 0.5;  ///< alpha, in (0, 1]; 1 forgets the old value, which is right if nothing is random
   double discount = 1.0;       ///< gamma, in (0, 1]
   double exploration = 0.1;    ///< share of moves at random (epsilon), in [0, 1]
   int max_steps = 1000;        ///< of an episode
@@ -23,22 +23,22 @@ void validate(const QTableParameters& parameters);
 
 /// Q-learning with a table (thesis Eq. 2.34, 2.35, 2.37): one value for each passable cell and move of one map, for one
 /// goal. The reward of a move is its negative length, so that with a discount of 1 the values become the negative
-/// lengths of the shortest paths that begin with the move. Values start at 0, which is better than any, so that each
-/// move is tried before it is given up. Only moves that are possible have a value.
+/// lengths of the shortest paths that begin with the move. Values start at 0, which is better than all others, so that
+/// each move is tried. Only moves that are possible have a value.
 class QTable {
  public:
-  /// Throws std::invalid_argument for parameters that make no sense and a goal that is blocked or outside. `grid` must
-  /// outlive it.
+  /// Throws as validate(), and std::invalid_argument for a goal that is blocked or outside. `grid` must outlive the
+  /// table.
   QTable(const QTableParameters& parameters, const PassableGrid& grid, CellIndex goal);
 
   /// Walks from `start`, which must be passable, to the goal or for max_steps, and learns from each move. Returns the
-  /// moves made.
+  /// number of moves.
   int runEpisode(CellIndex start, Random& random);
 
-  /// Eq. 2.37; of equal values the first in the order of the moves. kNoPath where no move is possible.
+  /// The move with the highest value (Eq. 2.37), of equal ones the first. kNoPath if no move is possible.
   int bestMove(CellIndex cell) const;
 
-  /// Eq. 2.34; 0 at the goal.
+  /// The highest value of the cell's moves (Eq. 2.34); 0 at the goal.
   double value(CellIndex cell) const;
 
   const PassableGrid& grid() const { return grid_; }
@@ -59,7 +59,7 @@ class QTable {
   std::int64_t steps_ = 0;
 };
 
-/// Goes where a table says, which must outlive it. To another goal than the table's it goes all the same by it.
+/// Takes the moves of a table, which must outlive the agent; also if it is given another goal than the table's.
 class QTableAgent : public GridAgent {
  public:
   explicit QTableAgent(const QTable& table) : table_(table) {}

@@ -16,7 +16,7 @@ GridImitationParameters thesisTraining();
 
 /// A network of the thesis's online tests.
 struct ThesisNetwork {
-  std::string name;  ///< as tables call it
+  std::string name;  ///< in tables
   std::string file;  ///< without folder
   NetworkShape shape;
   double learning_rate = 0.1;  ///< Table 3.2; that of the perceptron is not printed
@@ -25,15 +25,15 @@ struct ThesisNetwork {
 /// Two LSTM layers of 8 cells (Fig. 3.8a), two of 16, and the perceptron of four layers of 64 units (Fig. 3.8b).
 const std::vector<ThesisNetwork>& thesisNetworks();
 
-/// What the training of one network brought.
+/// Result of the training of one network.
 struct ThesisNetworkResult {
-  Model model;  ///< ready to be written and to walk
+  Model model;  ///< with the metadata that a file needs
   double training_accuracy = 0.0;
   double validation_accuracy = 0.0;  ///< of the best epoch
 };
 
-/// Trains one network on the maps of the scenario files, each weighing alike. `progress` is told the share done and
-/// ends the training when it returns false. Throws as gridImitation() and readMovingAiMap().
+/// Trains one network on the maps of the scenario files; each map counts the same. Calls `progress` with the share that
+/// is done; if it returns false, the training ends. Throws as gridImitation() and readMovingAiMap().
 ThesisNetworkResult trainThesisNetwork(const ThesisNetwork& network, const GridImitationParameters& parameters,
                                        const std::vector<std::string>& training_files,
                                        const std::vector<std::string>& validation_files,

@@ -11,14 +11,14 @@
 
 namespace lstm_planner {
 
-/// A* on a square of kSide x kSide nodes in bounded memory: for each node four bits, the move by which it was reached,
-/// and a fixed number of open nodes on lists by their cost. If they are used up, further ones are left out, and the
-/// path may be longer than the shortest.
+/// A* on a square of kSide x kSide nodes in bounded memory: four bits for each node (the move by which it was reached),
+/// and a fixed number of open nodes on lists by their cost. If there are more open nodes, the others are left out, and
+/// the path may be longer than the shortest.
 ///
 /// Places are counted from the square's corner. A `World` has `int estimate(CellIndex place)` (the least cost to a
-/// target; it may fall by no more than a move costs), `bool isTarget(CellIndex place)`, and `expand(CellIndex place,
-/// move)` that calls `move(std::size_t direction, int cost)` for every move that is possible from a place that does not
-/// lie at the square's edge.
+/// target; a move may reduce it by at most its own cost), `bool isTarget(CellIndex place)`, and `expand(CellIndex
+/// place, move)`, which calls `move(std::size_t direction, int cost)` for every possible move from a place that is not
+/// at the square's edge.
 class BoundedSearch {
  public:
   static constexpr int kSide = 160;
@@ -29,9 +29,9 @@ class BoundedSearch {
   template <typename World>
   bool find(const World& world, CellIndex start);
 
-  // Of the path to the target that was reached last.
+  /// Cost of the path to the target that was reached last.
   int cost() const { return cost_; }
-  /// The first `most` of its directions.
+  /// The first `most` directions of that path.
   void path(std::size_t most, std::vector<std::uint8_t>* directions) const;
 
   std::size_t expandedNodes() const { return expanded_; }
@@ -73,8 +73,8 @@ class BoundedSearch {
 
   std::vector<std::uint8_t> reached_by_;  ///< two nodes a byte
   std::vector<OpenNode> open_;            ///< on lists: one a bucket and the free ones
-  std::uint16_t free_ = kNone;            ///< the first that was open and is no more
-  std::size_t fresh_ = 0;                 ///< the first that never was
+  std::uint16_t free_ = kNone;            ///< the first entry that is free again
+  std::size_t fresh_ = 0;                 ///< the first entry that was never used
   std::array<std::uint16_t, kBuckets> buckets_{};
   std::size_t expanded_ = 0;
   int cost_ = 0;

@@ -7,8 +7,8 @@
 
 namespace lstm_planner {
 
-/// Octile distance between two cells, as the numbers of straight and diagonal steps that it consists of: compared
-/// exactly, where sums of sqrt(2) in floating point would call equal distances different.
+/// Octile distance between two cells, as its numbers of straight and diagonal steps, so that distances can be compared
+/// exactly: sums with sqrt(2) in floating point may differ where the distances are equal.
 struct OctileDistance {
   std::int64_t straight = 0;
   std::int64_t diagonal = 0;

@@ -11,7 +11,7 @@ namespace lstm_planner {
 class GridDistances {
  public:
   GridDistances() = default;
-  /// Everything is unreachable from a goal outside or in a wall.
+  /// If the goal is outside or in a wall, no cell has a path to it.
   GridDistances(const PassableGrid& grid, CellIndex goal, CornerCutting corner_cutting);
 
   /// +inf outside and where there is no path.

@@ -7,7 +7,7 @@
 
 namespace lstm_planner {
 
-/// Lengths of paths as integers, so that searches compare them without rounding: kStraightCost units are one cell.
+/// Lengths of paths as integers, so that searches compare them without rounding. kStraightCost units are one cell.
 using MoveCost = std::int64_t;
 
 /// The ratio of both is a convergent of the continued fraction of sqrt(2), with more than 2^26 in the denominator. No
@@ -24,8 +24,9 @@ struct MoveCosts {
   MoveCost diagonal = kDiagonalCost;
 };
 
-/// From numbers of cells. Throws std::invalid_argument unless 0.01 <= straight <= 100 and straight <= diagonal <= 2
-/// straight: of more no diagonal would be worth it, of less every detour over diagonals.
+/// The costs for numbers of cells. Throws std::invalid_argument unless 0.01 <= straight <= 100 and straight <= diagonal
+/// <= 2 straight: with a higher cost no diagonal move would be used, with a lower one a zigzag of diagonals would
+/// cost less than a straight line.
 MoveCosts moveCosts(double straight, double diagonal);
 
 constexpr MoveCost moveCost(int direction) { return direction % 2 == 0 ? kStraightCost : kDiagonalCost; }

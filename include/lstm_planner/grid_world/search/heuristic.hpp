@@ -7,16 +7,16 @@ namespace lstm_planner {
 /// Estimates of the length of a path between two cells from their distance in columns and rows alone (thesis
 /// Eq. 1.2-1.5). A search is optimal with an estimate that is never too long (admissible).
 enum class Heuristic {
-  kManhattan,  ///< columns + rows. Not admissible where diagonal moves are: up to sqrt(2) times too long
+  kManhattan,  ///< columns + rows. Not admissible with diagonal moves: up to sqrt(2) times too long
   kChebyshev,  ///< the larger of both: diagonal moves as if they cost 1. Admissible
-  kOctile,     ///< exact where nothing is in the way. Admissible
+  kOctile,     ///< exact if nothing is in the way. Admissible
   kEuclidean,  ///< the straight line. Admissible
   /// 25 times the straight line, "found to work better than any other configuration" (thesis 3.1). Not admissible
   kScaledEuclidean
 };
 
-/// Estimated cost between two cells where moves cost this: the Euclidean ones take no notice, as Eq. 1.5, Chebyshev's
-/// takes a diagonal for a straight move.
+/// Estimated cost between two cells if moves cost this. The Euclidean estimates do not use `costs` (Eq. 1.5);
+/// Chebyshev's counts a diagonal as a straight move.
 MoveCost estimateCost(Heuristic heuristic, CellIndex from, CellIndex to, const MoveCosts& costs = {});
 
 }  // namespace lstm_planner

@@ -19,11 +19,12 @@ struct MapSet {
   ScenarioDrawParameters scenarios;
   std::uint64_t seed = 1;  ///< of the first map and its scenarios; map k has seed + k
 };
-/// Throws std::invalid_argument for a count below 1, a name that is no file's name, or bad parameters of the scenarios.
+/// Throws std::invalid_argument for a count below 1, a name that cannot be that of a file, or bad parameters of the
+/// scenarios.
 void validate(const MapSet& set);
 
-/// Writes the set into the two folders, which must exist; files of the same names are written over. `progress` is
-/// called with the share that is done. Returns the number of scenarios. Throws as validate(), MovingAiFileError when a
+/// Writes the set into the two folders, which must exist; files of the same names are replaced. Calls `progress` with
+/// the share that is done. Returns the number of scenarios. Throws as validate(), MovingAiFileError when a
 /// file cannot be written, std::runtime_error for a map without two connected cells, and what the generator throws.
 std::size_t writeMapSet(const std::string& folder, const MapSet& set, const std::function<void(double)>& progress = {});
 

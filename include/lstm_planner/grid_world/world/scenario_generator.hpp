@@ -14,16 +14,16 @@ constexpr double kBucketLength = 4.0;
 
 /// How many scenarios are drawn.
 struct ScenarioDrawParameters {
-  int per_bucket = 10;  ///< scenarios in every bucket, where the map has as many
+  int per_bucket = 10;  ///< scenarios in every bucket, if the map has so many
 };
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const ScenarioDrawParameters& parameters);
 
-/// Draws scenarios for a map as the grid benchmark has them: as many in every bucket, in the order of buckets, each
-/// with the length of the shortest path without corner cutting. Goals are random passable cells; each gives at most one
-/// start a bucket, a random one among the cells of that distance. After three times as many goals as scenarios a bucket
-/// it ends, so the last buckets, which few pairs of cells are far enough apart for, may hold fewer. Start and goal
-/// differ; empty when no two cells are connected. The same map, parameters and seed give the same scenarios on every
+/// Draws scenarios for a map like those of the grid benchmark: equally many in every bucket, in the order of buckets,
+/// each with the length of the shortest path without corner cutting. Goals are random passable cells; each goal gets at
+/// most one start in a bucket, a random one among the cells at that distance. At most 3 * per_bucket goals are drawn,
+/// so the last buckets, for which few pairs of cells are far enough apart, may hold fewer. Start and goal differ. The
+/// result is empty if no two cells are connected. The same map, parameters and seed give the same scenarios on every
 /// machine. `map_name` is written into every scenario; `progress` is called with the share that is done. Throws as
 /// validate().
 std::vector<Scenario> drawScenarios(const PassableGrid& grid, const std::string& map_name,
