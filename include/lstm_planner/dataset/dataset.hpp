@@ -28,7 +28,7 @@ struct RecordingDescription {
   std::string begun;           ///< UTC, ISO 8601, by the computer's clock
 };
 
-/// As RecordingDescription::begun.
+/// A time as text, in the format of RecordingDescription::begun.
 std::string utcTime(double seconds_since_1970);
 
 /// A drive to one goal, with its steps.
@@ -45,7 +45,7 @@ struct Recording {
   std::vector<RecordedEpisode> episodes;
 };
 
-/// Keeps what a recorder makes in memory.
+/// Keeps a recording in memory.
 class RecordingSink : public StepSink {
  public:
   explicit RecordingSink(const RecordingDescription& description) { recording_.description = description; }
@@ -72,13 +72,13 @@ struct Dataset {
 
 long stepCount(const Dataset& dataset);  ///< without those of discarded episodes
 
-/// Reads a whole dataset file (an SQLite database, `sqlite3 FILE .schema` explains it); it may be being recorded.
-/// `with_scans`: DriveStep::ranges too. Throws DatasetError when it is not there, not a dataset, damaged, of a newer
-/// schema, or has a row that no recorder writes: a value of another type than the schema's, numbers that are not finite
-/// or too large, a label that names no angle, a scan of another length than its geometry's.
+/// Reads a whole dataset file (an SQLite database, `sqlite3 FILE .schema` explains it), also during a recording.
+/// `with_scans`: also DriveStep::ranges. Throws DatasetError if the file does not exist, is not a dataset, is damaged,
+/// has a newer schema, or has a row that no recorder writes: a value of another type than in the schema, a number that
+/// is not finite or too large, a label without an angle, a scan of another length than in its geometry.
 Dataset readDataset(const std::string& path, bool with_scans = false);
 
-/// Writes a new file that appears whole or not at all. Throws DatasetError, also when there is such a file.
+/// Writes a new file that appears complete or not at all. Throws DatasetError, also if the file exists already.
 void writeDataset(const std::string& path, const Dataset& dataset);
 
 }  // namespace lstm_planner

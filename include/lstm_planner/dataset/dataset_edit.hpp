@@ -8,8 +8,8 @@
 
 namespace lstm_planner {
 
-/// The recordings of all files, in their order, with scans. Throws DatasetError naming the files when their allowed
-/// angles differ, so that a label would mean two things, or when they have an episode in common.
+/// The recordings of all files, in their order, with scans. Throws DatasetError naming the files if their allowed
+/// angles differ, so that a label would have two meanings, or if they have an episode in common.
 Dataset mergeDatasets(const std::vector<std::string>& paths);
 
 /// The two parts of a dataset.
@@ -18,9 +18,9 @@ struct DatasetSplit {
   Dataset validation;
 };
 
-/// Divides a dataset by whole episodes, drawn at random, so that about `share` of the steps are in the second part:
-/// steps of one drive resemble each other too much to judge what was learned from the others. Either part gets an
-/// episode with steps at least. Discarded and empty episodes stay in the first, and so do the counts of rejections.
+/// Divides a dataset by whole episodes, drawn at random, so that about `share` of the steps are in the part for
+/// validation: steps of one drive are too similar to each other to be divided. Each part gets at least one episode with
+/// steps. Discarded and empty episodes and the counts of rejections stay in the part for training.
 /// The same seed gives the same parts on every machine. Throws std::invalid_argument unless `share` is in (0, 1) and
 /// two episodes have steps.
 DatasetSplit splitDataset(const Dataset& dataset, double share, std::uint64_t seed);

@@ -6,12 +6,12 @@
 
 namespace lstm_planner {
 
-/// Writes one row a step, below a line with the names of the columns: recording and episode (counted from 0), number,
-/// and the columns of table steps; numbers read back exactly, what was not measured is empty. `with_scans`: beam_0,
-/// beam_1 ... behind them, m. Discarded episodes are left out. Throws DatasetError when the file cannot be written.
+/// Writes one row for each step, below a line with the names of the columns: recording and episode (counted from 0),
+/// number, and the columns of the table steps. Numbers read back exactly; what was not measured is empty. `with_scans`:
+/// also beam_0, beam_1 ..., m. Discarded episodes are left out. Throws DatasetError if the file cannot be written.
 void exportCsv(const std::string& path, const Dataset& dataset, bool with_scans);
 
-/// Writes arrays for numpy.load(), N steps long. Discarded episodes are left out. Throws DatasetError when the file
+/// Writes arrays for numpy.load(), N steps long. Discarded episodes are left out. Throws DatasetError if the file
 /// cannot be written.
 ///
 ///   recording, episode, number (N,) int64       episode counts over all recordings, from 0
@@ -24,7 +24,7 @@ void exportCsv(const std::string& path, const Dataset& dataset, bool with_scans)
 ///   goal_distance, goal_bearing, heading, previous_action, route_bearing, route_length (N,) float64   m or rad
 ///   visits (N, 8) float64
 ///   driven_angle (N,) float64, label (N,) int64
-///   action_angles (A,) float64                  rad, what the labels mean; of the first recording
+///   action_angles (A,) float64                  rad, the angle of each label; of the first recording
 ///   with scans: ranges (N, B) float32           m, NaN beyond a scan's own beams
 ///               scan_geometry (N, 9) float64    angle_min, angle_increment [rad], beams, range_min, range_max [m],
 ///                                               mount x, y [m], yaw [rad], upside down (0, 1)

@@ -8,15 +8,15 @@
 
 namespace lstm_planner {
 
-/// How often each label was driven, of the recordings that have the same allowed angles.
+/// How often each label was driven, in the recordings with the same allowed angles.
 struct LabelHistogram {
   std::vector<double> angles;  ///< rad
   std::vector<long> counts;    ///< of each
 };
 
-/// Of the numbers of one quantity, those that are not infinite.
+/// Statistics of one quantity, over its numbers that are not infinite.
 struct QuantityRange {
-  std::string name;  ///< of the column of table steps; of eight sectors without the sector's number
+  std::string name;  ///< of the column in the table steps; for eight sectors without the sector's number
   std::string unit;
   long count = 0;
   double minimum = 0.0;
@@ -24,7 +24,7 @@ struct QuantityRange {
   double maximum = 0.0;
 };
 
-/// What there is in a dataset. Discarded episodes count only where it says so.
+/// What a dataset contains. Discarded episodes count only in the members named discarded_*.
 struct DatasetSummary {
   long recordings = 0;
   long unfinished = 0;  ///< recordings that are still going on, or were cut off
@@ -44,7 +44,7 @@ struct DatasetSummary {
   RejectionCounts rejections{};
 };
 
-/// Scans are counted only when they were read.
+/// Scans are counted only if they were read.
 DatasetSummary summarise(const Dataset& dataset);
 
 }  // namespace lstm_planner

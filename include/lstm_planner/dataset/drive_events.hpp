@@ -14,7 +14,7 @@
 
 namespace lstm_planner {
 
-// What a recorder hears of a drive, whether it happens now or was recorded by something else. Stamps in s.
+// What a recorder hears of a drive, live or from a recording. Stamps in s.
 
 using OdometryHeard = OdometryHistory::Entry;
 
@@ -44,31 +44,31 @@ inline double stampOf(const DriveEvent& event) {
   return std::visit([](const auto& heard) { return heard.stamp; }, event);
 }
 
-/// Why nobody can work on an event, whoever heard it: a number that is not finite or larger than any measurement, a
-/// scan of too many beams, a frame with too long a name. Empty when nothing is wrong.
+/// Why an event cannot be used: a number that is not finite or larger than any measurement, a scan with too many beams,
+/// a frame whose name is too long. Empty if nothing is wrong.
 std::string flawOf(const DriveEvent& event);
 
-/// Puts events into the order of their stamps: topics arrive independently of each other, so what comes first is
-/// chance. An event is given out when another one is `delay` (s) newer. Whatever arrives within that time comes out in
-/// the same order every time; of equal stamps odometry, then goals, then scans. At most kMostWaiting events are held
-/// back: where stamps stand still, the oldest is given out early.
+/// Puts events into the order of their stamps: topics arrive independently of each other, so the order of arrival is
+/// random. An event is given out when another one is `delay` (s) newer. What arrives within that time is always given
+/// out in the same order; with equal stamps odometry, then goals, then scans. At most kMostWaiting events are held
+/// back: if stamps stand still, the oldest is given out early.
 class EventOrder {
  public:
   static constexpr std::size_t kMostWaiting = 4096;  ///< a second of odometry at 1 kHz with three fast scanners
 
   /// What became of an event.
   enum class Verdict {
-    kTaken,    ///< it is given out in its turn
-    kLate,     ///< older than what was given out; not taken
-    kClockSet  ///< the clock was set: the event is older than `horizon`, or newer than all by more; see clear()
+    kTaken,    ///< it will be given out
+    kLate,     ///< older than an event that was given out; not taken
+    kClockSet  ///< the clock was set: the stamp differs by more than `horizon` from the newest one; see clear()
   };
 
-  /// `horizon`: s by which an event may be away from the newest.
+  /// `delay`: s, see above. `horizon`: s by which a stamp may differ from the newest one.
   EventOrder(double delay, double horizon) : delay_(delay), horizon_(horizon) {}
 
   Verdict add(DriveEvent event);
 
-  /// The oldest event if its time has come, or too many wait; `all`: whether or not.
+  /// The oldest event if its time has come or too many wait; `all`: in any case. Empty if there is none.
   std::optional<DriveEvent> take(bool all = false);
 
   /// Forgets which stamps there were.

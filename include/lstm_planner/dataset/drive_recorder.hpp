@@ -18,38 +18,38 @@ namespace lstm_planner {
 
 /// Cuts a drive into labelled steps (thesis 4.2, Eq. 4.1-4.2).
 ///
-/// A sample is taken once in every `period` of the stamps' clock: its first scan is paired with the pose at its stamp,
+/// A sample is taken once in every `period` of the stamps' clock: the first scan, with the pose at its stamp,
 /// interpolated between the two odometry messages around it (the nearest one can be half an odometry period away). It
-/// starts a step if the robot has moved since the last one; the pose where the next step starts labels it, and only
-/// then it is given to the sink. The same events give the same steps, in whatever order they arrive within
+/// starts a step if the robot has moved since the last one. The pose where the next step starts gives the label; then
+/// the step is given to the sink. The same events give the same steps, in any order of arrival within
 /// RecorderParameters::delay, live or from a file. Not thread safe.
 class DriveRecorder {
  public:
-  /// Where the origin of a frame is in the odometry frame at a time (s); empty when that is not known.
+  /// Pose of a frame in the odometry frame at a time (s); empty if it is not known.
   using FrameLookup = std::function<std::optional<Pose2>(const std::string& frame, double stamp)>;
 
-  /// `sink` must outlive the recorder. Throws std::invalid_argument (validate).
+  /// `sink` must outlive the recorder. Throws as validate().
   DriveRecorder(const RecorderParameters& parameters, StepSink* sink, FrameLookup lookup);
 
-  /// What has a flaw (flawOf()) is rejected.
+  /// An event with a flaw (flawOf()) is rejected.
   void add(DriveEvent event);
 
-  /// Something was heard that could not become an event; `why` is a sentence.
+  /// Counts something that was heard but cannot become an event; `why` is a sentence.
   void reject(Rejection rejection, const std::string& why);
 
   /// Works on all that was heard and ends the episode.
   void finish();
 
-  /// While paused nothing becomes a step. Pausing ends the episode; afterwards the goal is still the goal.
+  /// While it is paused, nothing becomes a step. Pausing ends the episode, but keeps the goal.
   void setPaused(bool paused);
   bool paused() const { return paused_; }
 
   /// Ends the running episode, if there is one, for this reason.
   void endEpisode(EpisodeEnd end);
 
-  /// The goal that is being driven to, in its frame; empty when there is none.
+  /// The goal that is being driven to, in its frame; empty if there is none.
   const std::optional<GoalInFrame>& goal() const { return goal_; }
-  /// The last sample: empty before the first.
+  /// The last sample; empty before the first.
   const std::optional<Situation>& situation() const { return situation_; }
   bool inEpisode() const { return in_episode_; }
 
@@ -60,7 +60,7 @@ class DriveRecorder {
   void work(const ScanHeard& scan);
   void workOnWhatIsDue(bool all);
   void sample(const ScanHeard& scan);
-  /// Why the scan cannot be used; empty when it can.
+  /// Why the scan cannot be used; empty if it can.
   std::string see(const ScanHeard& scan);
   bool isAt(const Point2& goal, const Pose2& pose) const;
   void startEpisode();
@@ -78,7 +78,7 @@ class DriveRecorder {
   OdometryHistory history_;
   std::vector<ScanHeard> waiting_;       ///< scans that are newer than the odometry
   std::optional<double> last_sample_;    ///< number of its period
-  std::optional<double> last_unusable_;  ///< likewise, of the last one without a usable scan
+  std::optional<double> last_unusable_;  ///< number of the last period without a usable scan
   std::optional<Situation> situation_;   ///< at the last sample
   SilenceWatch silence_;
   Observer observer_;

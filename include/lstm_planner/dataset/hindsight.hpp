@@ -11,7 +11,7 @@
 
 namespace lstm_planner {
 
-/// Which places a driver who named no goals is taken to have driven to.
+/// Which places are taken as the goals of a driver who named none.
 struct HindsightParameters {
   double stop = 2.0;
   double longest = 10.0;
@@ -29,27 +29,28 @@ void visitHindsightParameters(Parameters& hindsight, const Visitor& visit) {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const HindsightParameters& parameters);
 
-/// The goals of a path in the odometry frame `frame`: each a GoalHeard with the stamp from which it was driven to, and
-/// a GoalGivenUp with that at which the robot left it or was nearest to it, in order; all are stamps of the path.
+/// The goals of a path in the odometry frame `frame`. Each is a GoalHeard with the stamp at which the robot began to
+/// drive to it, and a GoalGivenUp with the stamp at which the robot left it or was nearest to it. They are in order,
+/// and all stamps are stamps of the path.
 ///
-/// Odometry that jumps (RecorderParameters::max_speed) or is silent for max_gap ends a path; so does its last message.
-/// Goals are the places where the robot stood, and the ends of paths; what lies between two of them and is longer than
-/// `longest` is divided into equal parts. An episode ends as soon as the robot comes within goal_tolerance of its goal,
-/// so a place that the path passes that near earlier, or starts from, is no goal: the last place before it that is not
-/// passed is taken, and what is left is driven to the next. So somebody who drives up a dead end and back has driven
-/// to its end first. Nowhere to be found is such a place where somebody circles on the spot: that path has no goal.
+/// A path ends if odometry jumps (RecorderParameters::max_speed) or is silent for max_gap, and at its last message.
+/// Goals are the places where the robot stood, and the ends of paths. If the path between two of them is longer than
+/// `longest`, it is divided into equal parts. An episode ends as soon as the robot comes within goal_tolerance of its
+/// goal. So a place that the path passes that closely before, or starts from, is not a goal: the last place before it
+/// that is not passed is taken, and the rest belongs to the next goal. So a driver who drives into a dead end and back
+/// has first driven to its end. If somebody drives in small circles, there is no such place, and the path has no goal.
 ///
-/// Throws std::invalid_argument also when `shortest` is not more than the goal tolerance.
+/// Throws as validate(), and std::invalid_argument if `shortest` is not more than the goal tolerance.
 std::vector<DriveEvent> hindsightGoals(const std::vector<OdometryHeard>& path, const HindsightParameters& parameters,
                                        const RecorderParameters& recorder, const std::string& frame);
 
-/// Tells a recorder the goals of a path while it hears that path.
+/// Gives a recorder the goals of a path while it gets that path.
 class GoalSchedule {
  public:
-  /// `goals`: of hindsightGoals(); `max_gap`: s, RecorderParameters::max_gap.
+  /// `goals`: those of hindsightGoals(); `max_gap`: RecorderParameters::max_gap, s.
   GoalSchedule(std::vector<DriveEvent> goals, double max_gap) : goals_(std::move(goals)), max_gap_(max_gap) {}
 
-  /// After the recorder has heard the odometry of this stamp, s.
+  /// To be called after the recorder has got the odometry of this stamp, s.
   void tell(double stamp, DriveRecorder* recorder);
 
  private:

@@ -11,7 +11,7 @@
 
 namespace lstm_planner {
 
-/// How driving is cut into steps and labelled. They are stored with what was recorded.
+/// How a drive is cut into steps and labelled. They are stored with the recording.
 struct RecorderParameters {
   double period = 0.5;
   double min_step_distance = 0.05;
@@ -25,10 +25,10 @@ struct RecorderParameters {
   bool keep_scans = true;
   std::vector<double> action_angles = {-1.5707963, -0.7853982, 0.0, 0.7853982, 1.5707963};
   ScanRules scan_rules;   ///< what the scanner's readings mean
-  AgentParameters agent;  ///< of what is remembered for the network: memory, footprint, step length
+  AgentParameters agent;  ///< what the network's inputs depend on: memory, footprint, step length
 };
 
-/// Visits every parameter; see parameter_visitors.hpp that is the recorder's own.
+/// Visits every parameter; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
 void visitRecorderParameters(Parameters& recorder, const Visitor& visit) {
   visit("period", recorder.period, {1e-4, 3600.0}, "s", "from step to step (thesis 4.2: 2 Hz)");
@@ -62,8 +62,10 @@ void validate(const RecorderParameters& parameters);
 /// Whether the robot has moved far enough from one pose to the other for a step.
 bool isStep(const Pose2& from, const Pose2& to, const RecorderParameters& parameters);
 
-/// For the description of a recording. Reading leaves what is missing at its default.
+/// For the description of a recording.
 nlohmann::json toJson(const RecorderParameters& parameters);
+/// What is missing keeps its default. Throws std::invalid_argument for something else than an object, and
+/// nlohmann::json::exception for a value of a wrong type.
 RecorderParameters recorderParametersFromJson(const nlohmann::json& json);
 
 }  // namespace lstm_planner

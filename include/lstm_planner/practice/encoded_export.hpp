@@ -14,8 +14,8 @@ namespace lstm_planner {
 /// index of the steering angle towards the place where the driver was after that distance, for label_0 at the next step
 /// (thesis Eq. 4.1-4.2). The hidden state is to be reset with each episode. Discarded episodes are left out.
 ///
-/// Throws DatasetError if the file cannot be written, and std::invalid_argument if the recordings do not fit the policy
-/// (forEachRecordedEpisode()).
+/// Throws DatasetError if the file cannot be written, and std::invalid_argument if there is no label distance, or if
+/// the recordings do not fit the policy (forEachRecordedEpisode()).
 void exportEncodedCsv(const std::string& path, const Dataset& dataset, const PolicyDescription& policy,
                       const std::vector<double>& label_distances);
 

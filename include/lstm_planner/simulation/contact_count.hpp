@@ -2,7 +2,7 @@
 
 namespace lstm_planner {
 
-/// Counts how often a robot starts to touch something: as long as it goes on touching, that is one contact.
+/// Counts how often a robot starts to touch something; until it touches nothing any more, that is one contact.
 class ContactCount {
  public:
   /// Whether it touches something now.
@@ -10,7 +10,7 @@ class ContactCount {
     contacts_ += touches && !touching_ ? 1 : 0;
     touching_ = touches;
   }
-  /// It has touched something that it does not touch any more.
+  /// Adds a contact with something that the robot does not touch any more.
   void add() { ++contacts_; }
 
   bool isTouching() const { return touching_; }

@@ -9,7 +9,7 @@
 
 namespace lstm_planner {
 
-/// The iRobot Create 2 (create_robot's CREATE_2 model) and how its wheels cheat.
+/// The iRobot Create 2 (create_robot's CREATE_2 model) and its errors. Units: visitCreate2Parameters().
 struct Create2Parameters {
   double axle_length = 0.235;
   double wheel_diameter = 0.072;
@@ -20,11 +20,11 @@ struct Create2Parameters {
   double max_wheel_acceleration = 2.0;
   double slip = 0.0;
   double drift = 0.0;
-  /// How far odometry errs, as a share of the distance: each robot draws, from its seed, one error of the lengths and
-  /// one of the turns that it counts, both uniform in +-odometry_error; and its heading wanders about the true one, as
-  /// that of a gyroscope with something to hold on to does: normal, 1.5 odometry_error rad, forgotten within 20 m. A
-  /// robot that goes straight on is then that share of the distance beside where it thinks it is (root mean square),
-  /// after 10 m as after 100 m.
+  /// Error of the odometry, as a share of the distance. Each robot draws from its seed one error of all lengths and one
+  /// of all turns, both uniform in +-odometry_error. Its heading also has an error that changes slowly around 0:
+  /// normal,
+  /// 1.5 odometry_error rad, forgotten within 20 m. If the robot goes straight on, its position is then wrong by that
+  /// share of the distance (root mean square), after 10 m and after 100 m.
   double odometry_error = 0.0;
 };
 
@@ -52,26 +52,26 @@ void visitCreate2Parameters(Parameters& robot, const Visitor& visit) {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const Create2Parameters& parameters);
 
-/// That contacts are counted with. Throws as validate().
+/// The footprint with which contacts are counted. Throws as validate().
 Footprint footprintOf(const Create2Parameters& parameters);
 
-/// Differential drive with encoders. A step moves the true pose exactly along the arc given by what the two wheels
-/// travelled; the odometry adds whole encoder ticks up as create_robot does: the mean of the wheels along the middle
-/// heading, their difference by the axle length as the turn.
-/// Odometry starts at (0, 0, 0) wherever the robot stands. Deterministic for a seed.
+/// Differential drive with encoders. A step moves the true pose exactly along the arc that the two wheels travel. The
+/// odometry adds up whole encoder ticks as create_robot does: the mean of the wheels along the mean heading, and their
+/// difference divided by the axle length as the turn. Odometry starts at (0, 0, 0). The same for the same seed.
 class Create2 {
  public:
+  /// Throws as validate(), and std::invalid_argument for a pose that is not finite.
   Create2(const Create2Parameters& parameters, const Pose2& true_pose, std::uint64_t seed);
 
   void command(const Twist2& twist);  ///< wheel speeds are clipped here; a non-finite twist stops the robot
-  void step(double seconds);          ///< moves; the caller decides about contacts with holdPosition()
+  void step(double seconds);          ///< moves; the caller handles contacts with holdPosition()
 
-  /// Puts the robot back to `pose` (it ran against something); the encoders keep what they counted.
+  /// Puts the robot back to `pose`, because it ran into something; the encoders keep their counts.
   void holdPosition(const Pose2& pose);
 
   const Pose2& truePose() const { return true_pose_; }
   const Pose2& odometry() const { return odometry_; }
-  /// Twist as the encoders of the last step() tell it.
+  /// Twist of the last step() by the encoders.
   const Twist2& measuredTwist() const { return measured_twist_; }
   double wheelAngle(bool left) const;  ///< rad since the start, from the encoder
 
@@ -93,7 +93,7 @@ class Create2 {
   Wheel left_;
   Wheel right_;
   Random random_;
-  double heading_error_ = 0.0;  ///< rad by which the true heading has wandered from the counted one
+  double heading_error_ = 0.0;  ///< rad, slowly changing error of the counted heading
   double length_error_ = 0.0;   ///< relative, of every length that odometry counts
   double turn_error_ = 0.0;     ///< relative, of every turn that odometry counts
 };

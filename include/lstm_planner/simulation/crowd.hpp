@@ -17,17 +17,17 @@ struct CrowdParameters {
   double largest_radius = 0.3;   ///< m
   double slowest = 0.3;          ///< m/s
   double fastest = 1.0;          ///< m/s
-  double shortest_stand = 0.5;   ///< s that a walker stands when the robot is in its way
+  double shortest_stand = 0.5;   ///< s that a walker stands if the robot is in its way
   double longest_stand = 2.0;    ///< s
-  double first_distance = 1.0;   ///< m between the robot and every walker at the start, at least
+  double first_distance = 1.0;   ///< m, smallest distance between the robot and a walker at the start
 };
 
-/// A world with people in it. Each walks straight to a random place, then to another, at a speed of its own; a wall in
-/// its path makes it choose another place, too. Walkers pass through each other. They ignore the robot until the
-/// next step would touch it: then they stand for a while and go elsewhere. Deterministic for a seed.
+/// A world with people in it. Each walks straight to a random place, then to another, at a speed of its own; if a wall
+/// is in its path, it chooses another place. Walkers pass through each other. They ignore the robot until the next step
+/// would touch it: then they stand for a while and go elsewhere. The same for the same seed.
 class Crowd : public Traffic {
  public:
-  /// What one of the people is about; its body is the circle of the same number.
+  /// What one of the people does; its body is the circle with the same number.
   struct Walker {
     double speed = 0.0;  ///< m/s
     Point2 destination;
@@ -35,7 +35,7 @@ class Crowd : public Traffic {
   };
 
   /// `surroundings` and `places`, where walkers start and go to, must outlive the crowd; places where a walker does not
-  /// fit are not used. `robot` is where the robot starts. Throws std::invalid_argument when no place is fit for a
+  /// fit are not used. `robot` is where the robot starts. Throws std::invalid_argument if there is no place for a
   /// walker.
   Crowd(const World& surroundings, const std::vector<Point2>& places, const CrowdParameters& parameters,
         const Point2& robot, std::uint64_t seed);
@@ -55,7 +55,7 @@ class Crowd : public Traffic {
   std::vector<Walker> walkers_;
 };
 
-/// The middles of all free cells in which a disc of that radius (m) touches nothing.
+/// The centres of all free cells at which a disc of that radius (m) touches nothing.
 std::vector<Point2> standingPlaces(const GridWorld& world, double radius);
 
 /// Places a quarter of a metre apart in the box between two corners in which a disc of that radius (m) touches nothing.

@@ -13,12 +13,12 @@ struct FilmParameters {
   int longest_side = 600;  ///< pixels, 16 or more
 };
 
-/// Draws a drive as the robot knows it, a frame when it is time for one: what was never seen is grey, what was seen is
-/// white, remembered obstacles are black, the scan is violet, the plan orange, the driven path has the colour of who
-/// decided it (TracePicture), the goal is green.
+/// Draws a drive as the robot knows it, a frame in each period: what was never seen is grey, what was seen is white,
+/// remembered obstacles are black, the scan is violet, the plan orange, the driven path has the colour of who decided
+/// it (TracePicture), the goal is green.
 ///
-/// `floor` says what is in the picture; its cells are not drawn. Frames are PNG files in `folder`, which must exist:
-/// 0000.png, 0001.png ... Throws std::invalid_argument for an empty floor. Who listens throws std::runtime_error when a
+/// `floor` gives the area of the picture; its cells are not drawn. Frames are PNG files in `folder`, which must exist:
+/// 0000.png, 0001.png ... Throws std::invalid_argument for an empty floor. The listener throws std::runtime_error if a
 /// frame cannot be written.
 DriveListener filmOf(const OccupancyGrid& floor, const DriveTask& task, const std::string& folder,
                      const FilmParameters& parameters);

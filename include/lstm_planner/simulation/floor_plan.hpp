@@ -6,9 +6,9 @@
 
 namespace lstm_planner {
 
-/// A random office building: a rectangle cut recursively by corridors and into rooms, a door from every room to a
-/// corridor where it has one beside it and to a neighbour otherwise, boxes along the walls and in the middle, round
-/// pillars.
+/// A random office building: a rectangle that is divided recursively by corridors and into rooms. Every room has a door
+/// to a corridor if one is beside it, otherwise to a neighbour. Boxes stand along the walls and in the middle, and
+/// there are round pillars. Units: visitFloorPlanParameters().
 struct FloorPlanParameters {
   double width = 20.0;
   double height = 14.0;
@@ -41,8 +41,8 @@ void visitFloorPlanParameters(Parameters& plan, const Visitor& visit) {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const FloorPlanParameters& parameters);
 
-/// The same plan for the same seed on every machine, its lower left corner at (0, 0). A robot of 0.35 m can reach every
-/// place that it fits in; the outer wall is closed. Throws as validate().
+/// The same plan for the same seed on every machine, its lower left corner at (0, 0). A robot 0.35 m wide can reach
+/// every place in which it fits; the outer wall is closed. Throws as validate().
 OccupancyGrid generateFloorPlan(const FloorPlanParameters& parameters, std::uint64_t seed);
 
 }  // namespace lstm_planner

@@ -10,8 +10,8 @@
 
 namespace lstm_planner {
 
-/// A scanning range finder; the defaults are a Hokuyo UTM-30LX-EW behind urg_node. Its maker states a repeatability of
-/// 10 mm up to 10 m and of 30 mm up to 30 m (standard deviations).
+/// A scanning range finder; the defaults are a Hokuyo UTM-30LX-EW with urg_node. Its maker states a repeatability of
+/// 10 mm up to 10 m and of 30 mm up to 30 m (standard deviations). Units: visitHokuyoParameters().
 struct HokuyoParameters {
   int beams = 1081;
   double angle_min = -2.35619;
@@ -26,7 +26,7 @@ struct HokuyoParameters {
   SensorMount mount;  ///< in the base frame
 };
 
-/// A scanner as the default one, that looks back.
+/// The default scanner, turned to look back.
 inline HokuyoParameters lookingBack() {
   HokuyoParameters scanner;
   scanner.mount.pose.yaw = 3.14159;
@@ -54,17 +54,18 @@ void visitHokuyoParameters(Parameters& laser, const Visitor& visit) {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const HokuyoParameters& parameters);
 
-/// Takes scans of a world. No return is +inf, a drop-out NaN, as the driver reports them; a reading below range_min is
-/// passed on as it is. All beams of a scan are taken from one pose: the sweep does not shear. The noise comes from a
-/// table of normal numbers made from the seed, one random draw a beam. Deterministic for a seed.
+/// Takes scans of a world. As from the driver, a beam without a return is +inf, and a lost beam is NaN; a reading below
+/// range_min is given as it is. All beams of a scan are taken from one pose: a scan is not distorted by motion. The
+/// noise comes from a table of normal numbers, with one random draw for each beam. The same for the same seed.
 class Hokuyo {
  public:
+  /// Throws as validate().
   Hokuyo(const HokuyoParameters& parameters, std::uint64_t seed);
 
   /// The scan from `base_pose` (pose of the robot in the world); `scan` is overwritten and its memory reused.
   void scan(const World& world, const Pose2& base_pose, double stamp, LaserScan* scan);
 
-  /// What its readings mean: those of the driver.
+  /// What its readings mean: the rules of the driver.
   static ScanRules rules() { return urgNodeRules(); }
 
   const HokuyoParameters& parameters() const { return parameters_; }

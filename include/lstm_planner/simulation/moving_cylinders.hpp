@@ -19,8 +19,8 @@ struct MovingCylindersParameters {
   double spread = 0.2;   ///< m/s, standard deviation of a cylinder's speed from one stretch to the next
 };
 
-/// How difficult a DynaBARN world is, as published. Easy motion: order 1 or 2, 0.5 to 1 m/s, spread 0.01 to 0.1 m/s;
-/// hard motion: order 3 or 4, 1 to 2 m/s, spread 0.1 to 0.2 m/s. Few cylinders are 5 to 10, many are 10 to 20.
+/// Difficulty of a DynaBARN world, as published. Easy motion: order 1 or 2, 0.5 to 1 m/s, spread 0.01 to 0.1 m/s; hard
+/// motion: order 3 or 4, 1 to 2 m/s, spread 0.1 to 0.2 m/s. Few cylinders are 5 to 10, many are 10 to 20.
 enum class DynaBarnClass {
   kEasy,    ///< few cylinders with easy motion
   kMedium,  ///< few with hard motion, or many with easy motion
@@ -29,7 +29,7 @@ enum class DynaBarnClass {
 
 constexpr int kDynaBarnWorldsAClass = 20;
 
-/// Of world `number`: the first 20 are easy, the next 20 medium, the others hard.
+/// The class of world `number` (from 0): the first 20 are easy, the next 20 medium, the others hard.
 DynaBarnClass dynaBarnClassOf(int number);
 
 const char* toString(DynaBarnClass difficulty);
@@ -37,20 +37,21 @@ const char* toString(DynaBarnClass difficulty);
 /// The parameters of world `number`, drawn from a seed by the rules of its class.
 MovingCylindersParameters drawMovingCylinders(int number, std::uint64_t seed);
 
-/// Half a side of the square that they move in, around the origin, m.
+/// Half the side of the square in which they move, around the origin, m.
 constexpr double kCylindersArea = 10.0;
 
 /// The floor of DynaBARN: walls on three sides of the square; the fourth, at the largest x, is open, and the robot
 /// starts in front of it.
 OccupancyGrid cylindersFloor();
 
-/// Cylinders 1 m wide that move without regard to anything: each along a polynomial through random points, from one
-/// border of the square to the other, stretch by stretch at a speed of its own; at the end it starts anew at its
-/// start. After the published generator of DynaBARN (Nair et al., "DynaBARN: Benchmarking Metric Ground Navigation in
-/// Dynamic Environments", SSRR 2022). Deterministic for a seed.
+/// Cylinders 1 m wide that avoid nothing. Each moves along a polynomial through random points, from one border of the
+/// square to the other, on each stretch with another speed; at the end it goes back to its start. After the published
+/// generator of DynaBARN (Nair et al., "DynaBARN: Benchmarking Metric Ground Navigation in Dynamic Environments", SSRR
+/// 2022). The same for the same seed.
 class MovingCylinders : public Traffic {
  public:
-  /// `robot` is where the robot starts: no cylinder starts within 3 m of it.
+  /// `robot` is where the robot starts: no cylinder starts within 3 m of it. Throws std::invalid_argument if no path
+  /// for a cylinder is found.
   MovingCylinders(const World& surroundings, const MovingCylindersParameters& parameters, const Point2& robot,
                   std::uint64_t seed);
 

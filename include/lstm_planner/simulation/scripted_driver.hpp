@@ -10,7 +10,7 @@
 
 namespace lstm_planner {
 
-/// How somebody at the keys drives, and how well.
+/// How somebody drives with keys, and how well. Units: visitDriverParameters().
 struct ScriptedDriverParameters {
   double speed = 0.3;
   double turn_speed = 1.5;
@@ -20,8 +20,8 @@ struct ScriptedDriverParameters {
   double reluctance = 1.5;
   double lookahead = 0.6;
   double sharp_turn = 0.5;
-  /// Whether a turn key is pressed while driving, too, so that the robot drives arcs where the path bends less. Labels
-  /// of thesis Eq. 4.1 hardly see arcs: half a second of one is half of its turn away from straight on.
+  /// Whether a turn key is also pressed while driving, so that the robot drives arcs where the path bends less. Labels
+  /// (thesis Eq. 4.1) hardly show arcs: in half a second the direction differs only by half of the arc's turn.
   bool drives_arcs = false;
   double shortest_reaction = 0.2;
   double longest_reaction = 0.3;
@@ -62,20 +62,20 @@ void visitDriverParameters(Parameters& driver, const Visitor& visit) {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const ScriptedDriverParameters& parameters);
 
-/// Drives like a person who sees robot and building from above and has three keys: forward, left and right; with none
-/// held the robot stops. Follows the shortest comfortable path to the goal, stops to turn, reacts late, aims badly,
-/// pauses sometimes, and does not touch what is in the map (unknown cells are as good as walls). Deterministic for a
-/// seed and the poses and times that it is asked at.
+/// Drives like a person who sees robot and building from above and has three keys: forward, left and right; if none is
+/// held, the robot stops. The driver follows the shortest comfortable path to the goal, stops to turn, reacts late,
+/// aims inexactly, pauses sometimes, and does not touch what is in the map (unknown cells count as walls). The same for
+/// the same seed, poses and times.
 ///
-/// To be asked 10 times a second or more often, or it brakes too late.
+/// Call command() 10 times a second or more often, or it brakes too late.
 class ScriptedDriver {
  public:
   /// What the driver does.
   enum class State {
     kWaiting,  ///< there is no goal
-    kDriving,  ///< to the goal
-    kArrived,  ///< and the keys are released
-    kNoPath    ///< to the goal from where the robot is, or the goal is too near to a wall
+    kDriving,  ///< the driver drives to the goal
+    kArrived,  ///< the robot is at the goal, and the keys are released
+    kNoPath    ///< there is no path from the robot to the goal, or the goal is too near to a wall
   };
 
   /// `world` must outlive the driver. Throws as validate().
@@ -84,7 +84,7 @@ class ScriptedDriver {
   void setGoal(const Point2& goal);  ///< world frame
   void dropGoal();
 
-  /// The command of the keys that are held at that time (s, growing); `pose`: the true one, in the world frame.
+  /// The command of the keys that are held at that time (s, never less than before); `pose`: true pose, world frame.
   Twist2 command(const Pose2& pose, double time);
 
   State state() const { return state_; }
@@ -117,14 +117,14 @@ class ScriptedDriver {
   std::optional<GeodesicField> field_;
 
   Keys keys_;                    ///< held
-  std::optional<Keys> decided_;  ///< to be held from `change_` on
+  std::optional<Keys> decided_;  ///< will be held from `change_` on
   double change_ = 0.0;          ///< s
   double next_look_ = 0.0;       ///< s
   double last_look_ = 0.0;       ///< s
   double pause_end_ = 0.0;       ///< s
   double aim_error_ = 0.0;       ///< rad
   bool turning_ = false;         ///< in place
-  bool is_aimed_ = false;        ///< at the path ahead, so that there is little room needed
+  bool is_aimed_ = false;        ///< at the path ahead, so that little room is needed
 };
 
 }  // namespace lstm_planner

@@ -14,10 +14,10 @@
 namespace lstm_planner {
 
 /// A Create 2 with a Hokuyo in a world: moves, senses, counts contacts. No ROS, no real time; the same for the same
-/// seed. Where people walk about, they move as time passes for the robot.
+/// seed. People in the world move as time passes for the robot.
 ///
-/// A contact is the robot's own doing: it drove into something, or met a walker towards whom it was driving. A walker
-/// who runs into a robot that stands, or goes elsewhere, has bumped into it.
+/// A contact is caused by the robot: it drove into something, or met a walker towards whom it was driving. A walker who
+/// runs into a robot that stands, or drives in another direction, has bumped into it.
 class SimulatedRobot {
  public:
   /// What the robot is made of; periods and times in s.
@@ -28,23 +28,23 @@ class SimulatedRobot {
     double latency = 0.0;
     std::optional<HokuyoParameters> second_scanner = std::nullopt;  ///< none unless it is set
 
-    /// s, from one scan to the next of the slowest scanner.
+    /// Time from one scan to the next of the slowest scanner, s.
     double longestScanPeriod() const;
   };
 
-  /// `world` must outlive the robot.
+  /// `world` must outlive the robot. Throws as Create2 and Hokuyo.
   SimulatedRobot(const World& world, const Parameters& parameters, const Pose2& start, std::uint64_t seed);
-  /// Among bodies that move, which must outlive the robot.
+  /// Among moving bodies; `traffic` must outlive the robot.
   SimulatedRobot(Traffic* traffic, const Parameters& parameters, const Pose2& start, std::uint64_t seed);
 
   /// Takes effect when the latency has passed.
   void command(const Twist2& twist) { commands_.push_back({time_ + parameters_.latency, twist}); }
 
-  /// Lets that much time pass, s.
+  /// Lets so much time pass, s.
   void advance(double seconds);
 
-  /// Scans from where the robot stands; the pose of `situation` is odometry(). A second scanner scans at its own
-  /// rate: what it saw last counts until then.
+  /// Scans from where the robot stands; the pose of `situation` is odometry(). A second scanner scans at its own rate;
+  /// between its scans its last one counts.
   void sense(double range_cap, Situation* situation);
 
   /// The scan from where the robot stands, as the driver would publish it; `scan` is overwritten and its memory reused.
@@ -54,14 +54,14 @@ class SimulatedRobot {
   const Pose2& truePose() const { return base_.truePose(); }
   const Pose2& odometry() const { return base_.odometry(); }  ///< in a frame that starts at the start
   const Twist2& measuredTwist() const { return base_.measuredTwist(); }
-  /// How often the footprint started to touch something; not a walker that runs into it, unless it drives towards him.
+  /// How often the footprint started to touch something, without walkers that ran into it (see above).
   int contacts() const { return contacts_.contacts(); }
   int bumped() const { return bumped_; }               ///< how often a walker ran into the robot
-  int bumpedMoving() const { return bumped_moving_; }  ///< of those, while it moved aside or away from him
+  int bumpedMoving() const { return bumped_moving_; }  ///< of those, while it moved aside or away from the walker
   double pathLength() const { return path_length_; }   ///< m truly driven
 
  private:
-  /// One that has not reached the wheels yet.
+  /// A command that has not reached the wheels yet.
   struct Command {
     double time = 0.0;  ///< s, when it takes effect
     Twist2 twist;

@@ -7,11 +7,11 @@
 
 namespace lstm_planner {
 
-/// m from the centre of a cell to that of the nearest obstacle which a disc needs there: the obstacle starts half a
-/// cell before.
+/// The distance that a disc needs from the centre of its cell to that of the nearest occupied cell, m: the obstacle
+/// starts half a cell before its centre.
 inline double distanceNeeded(double radius, const OccupancyGrid& grid) { return radius + 0.5 * grid.resolution(); }
 
-/// Free cells on which such a disc can stand, row by row.
+/// Free cells, row by row, that are at least `needed` (m, distanceNeeded()) from all obstacles.
 inline std::vector<CellIndex> standingCells(const OccupancyGrid& grid, const DistanceField& distances, double needed) {
   std::vector<CellIndex> cells;
   for (const CellIndex cell : grid.cells()) {

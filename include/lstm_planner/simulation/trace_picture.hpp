@@ -12,7 +12,7 @@ namespace lstm_planner {
 
 /// What is drawn over a map; everything in the map frame, m and rad.
 struct TracePicture {
-  /// Where a drive was to end.
+  /// A goal of a drive.
   struct Goal {
     Point2 position;
     std::string label;
@@ -38,12 +38,12 @@ struct TracePicture {
   bool legend = false;            ///< says below the map what is what, with the scale
 };
 
-/// Takes a path one place further: its last part, or a new one where somebody else decides from there on.
+/// Adds a place to a path: to its last part, or to a new part if another one decides from there on.
 void goOn(const Point2& place, Decision::Choice choice, bool on_path, std::vector<TracePicture::Part>* parts);
 
-/// Draws the map (obstacles black, unknown grey) with what is given and a scale bar, and writes it in the format that
-/// the file's extension names (png, jpg ...). The map's longer side has about `longest_side` pixels. Throws
-/// std::invalid_argument for an empty map, std::runtime_error naming the file when it cannot be written.
+/// Draws the map (obstacles black, unknown grey) with `picture` and a scale bar, and writes it in the format of the
+/// file's extension (png, jpg ...). The map's longer side has about `longest_side` pixels. Throws std::invalid_argument
+/// for an empty map, and std::runtime_error naming the file if it cannot be written.
 void writeTracePicture(const std::string& path, const OccupancyGrid& map, const TracePicture& picture,
                        int longest_side = 1600);
 

@@ -16,15 +16,16 @@ class World {
   virtual ~World() = default;
 
   /// Distances from `origin` to the first obstacle along the directions first_direction + i * increment (rad, world
-  /// frame), i = 0 .. ranges->size() - 1; values beyond max_range (m) come back as +inf. 0 inside an obstacle.
+  /// frame), i = 0 .. ranges->size() - 1; distances beyond max_range (m) are +inf. 0 inside an obstacle.
   virtual void castRays(const Point2& origin, double first_direction, double increment, double max_range,
                         std::vector<double>* ranges) const = 0;
 
-  /// True when a disc of that radius (m) overlaps an obstacle: exact, cells are squares and circles are circles; one
-  /// that only meets it at a point does not overlap. Throws std::invalid_argument for a disc that is not finite.
+  /// Whether a disc of that radius (m) overlaps an obstacle. Exact: cells are squares, circles are circles, and a disc
+  /// that only meets an obstacle at a point does not overlap. Throws std::invalid_argument for a disc that is not
+  /// finite.
   virtual bool touches(const Point2& center, double radius) const = 0;
 
-  /// The same for a footprint at a pose, which must be finite.
+  /// The same for a footprint at a pose. Throws std::invalid_argument for a pose that is not finite.
   bool touches(const Footprint& footprint, const Pose2& pose) const;
 
  protected:
@@ -32,10 +33,11 @@ class World {
 };
 
 /// The occupied cells of a map_server map (unknown cells are neither seen nor touched). Rays are exact at the borders
-/// of the cells; one that meets a corner passes unless both cells beside the corner, or the one behind it, are
+/// of the cells; a ray that meets a corner passes unless both cells beside the corner, or the cell behind it, are
 /// occupied.
 class GridWorld : public World {
  public:
+  /// Throws as DistanceField.
   explicit GridWorld(OccupancyGrid grid);
   void castRays(const Point2& origin, double first_direction, double increment, double max_range,
                 std::vector<double>* ranges) const override;
@@ -63,12 +65,12 @@ struct Circle {
   double radius = 0.0;
 };
 
-/// m between a footprint at a pose and a circle; negative where they overlap.
+/// Distance between a footprint at a pose and a circle, m; negative if they overlap.
 inline double airBetween(const Footprint& footprint, const Pose2& pose, const Circle& circle) {
   return footprint.distanceTo(toLocalFrame(pose, circle.center)) - circle.radius;
 }
 
-/// Cylinders on an endless floor (BARN worlds), or in other surroundings, which must outlive the object.
+/// Cylinders on an endless floor (BARN worlds), or in other surroundings, which must outlive this object.
 class CircleWorld : public World {
  public:
   /// Throws std::invalid_argument for a circle that is not finite or has a negative radius.
@@ -79,7 +81,7 @@ class CircleWorld : public World {
   bool touches(const Point2& center, double radius) const override;
 
   const std::vector<Circle>& circles() const { return circles_; }
-  /// For those that move; they stay finite.
+  /// To move circles; they must stay finite.
   std::vector<Circle>& circles() { return circles_; }
   const World* surroundings() const { return surroundings_; }  ///< nullptr: none
 
