@@ -8,17 +8,17 @@ namespace lstm_planner {
 
 /// The cells of a map as a picture to draw on. Colours are blue, green, red; widths and heights are in pixels.
 ///
-/// Places are fine: in sixteenths of a pixel, so that lines are smooth.
+/// Places are in sixteenths of a pixel, so that lines are smooth: fine() makes one of a place in pixels.
 class Canvas {
  public:
-  /// `cells`, a pixel each, of three bytes. They are enlarged by a whole number as far as the longer side stays within
-  /// `longest_side`; larger maps are made smaller so that thin walls do not vanish between the pixels.
+  /// `cells`: a pixel of three bytes for each cell. They are enlarged by a whole number, so that the longer side has at
+  /// most `longest_side` pixels. Larger maps are made smaller in a way that keeps thin walls.
   Canvas(const cv::Mat& cells, int longest_side);
 
   cv::Mat& image() { return image_; }
   double scale() const { return scale_; }  ///< pixels a cell
 
-  /// Of a place in pixels.
+  /// The fine place for a place in pixels, and the pixel in which a fine place lies.
   static cv::Point fine(double column, double row);
   static cv::Point pixelOf(const cv::Point& place);
 
@@ -36,7 +36,7 @@ class Canvas {
 void writeText(const std::string& text, const cv::Point& left_bottom, double size, const cv::Scalar& color, int width,
                cv::Mat* picture);
 
-/// Width and height of that text, pixels.
+/// Width and height of a text, pixels.
 cv::Size sizeOfText(const std::string& text, double size, int width);
 
 }  // namespace lstm_planner

@@ -8,15 +8,15 @@
 
 namespace lstm_planner {
 
-/// Hands out the numbers 0 to count - 1 among all ranks and their threads, each number once. So whoever has time takes
-/// the next piece of work.
+/// Gives out the numbers 0 to count - 1 among all ranks and their threads, each number once: a thread that has time
+/// takes the next piece of work.
 class Tickets {
  public:
   virtual ~Tickets() = default;
-  /// The next number; `count` when there is none left. Every thread must draw until it gets that. May be called from
+  /// The next number; `count` if there is none left. Every thread must draw until it gets `count`. May be called from
   /// several threads at once.
   virtual std::size_t draw() = 0;
-  /// Lets other ranks draw, as draw() does: to be called now and then during a long piece of work.
+  /// Lets other ranks draw, as draw() also does. Call it often during a long piece of work.
   virtual void letOthersDraw() {}
 };
 
@@ -35,7 +35,7 @@ class Communicator {
   /// has bytes[r] bytes. The caller has filled in its own part. Every rank must call this, with the same `bytes`.
   virtual void exchangeBytes(void* values, const std::vector<std::size_t>& bytes);
 
-  /// Every rank must call this with the same `count`.
+  /// Numbers for `count` pieces of work. Every rank must call this with the same `count`.
   virtual std::unique_ptr<Tickets> tickets(std::size_t count);
 };
 

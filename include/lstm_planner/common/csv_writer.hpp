@@ -8,8 +8,8 @@
 
 namespace lstm_planner {
 
-/// Writes a table as CSV (RFC 4180, but with line feeds alone): a field with a separator, a quote or a line break in it
-/// stands in quotes. A number that is not finite is an empty field; bools are 0 and 1.
+/// Writes a table as CSV (RFC 4180, but lines end in a line feed): a field with a separator, a quote or a line break in
+/// it is quoted. A number that is not finite is an empty field; bools are 0 and 1.
 class CsvWriter {
  public:
   /// Significant digits of numbers.

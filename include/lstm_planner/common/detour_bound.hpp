@@ -26,7 +26,7 @@ class DetourBound {
     now_ = 0.0;
   }
 
-  /// The step is over; `driven` (0 to 1): share of it that was carried out, and is counted.
+  /// Ends the step. `driven` (0 to 1): the share of the step that was carried out; this share of its regret counts.
   void endStep(double driven) {
     past_ += driven * now_;
     now_ = 0.0;

@@ -6,15 +6,15 @@
 
 namespace lstm_planner {
 
-/// Single letters to change, add or leave out, until one text is the other; an exchange of neighbours is one (distance
-/// of Damerau and Levenshtein).
+/// How many letters must be changed, added or left out to get one text from the other; the exchange of two neighbours
+/// counts as one (distance of Damerau and Levenshtein).
 std::size_t editDistance(const std::string& a, const std::string& b);
 
 /// The one of `names` that was most likely meant by `name`: `name` is its beginning, or differs from it by few letters
 /// (editDistance()). Empty if there is none.
 std::string nearestName(const std::string& name, const std::vector<std::string>& names);
 
-/// "; the nearest is NAME" as the end of a sentence; empty if there is no such name.
+/// "; the nearest is NAME" as the end of a sentence; empty if nearestName() is.
 std::string hintAt(const std::string& name, const std::vector<std::string>& names);
 
 }  // namespace lstm_planner

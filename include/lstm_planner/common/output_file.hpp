@@ -50,7 +50,7 @@ class OutputFile {
 void writeOutputFile(const std::string& what, const std::string& path,
                      const std::function<void(std::ostream& file)>& write);
 
-/// Removes all files that are not complete; for handlers of signals that end the process.
+/// Removes all part files that were not committed; for handlers of signals that end the process.
 void removeUnfinishedFiles();
 
 }  // namespace lstm_planner

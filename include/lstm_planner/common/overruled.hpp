@@ -4,9 +4,9 @@
 
 namespace lstm_planner {
 
-/// Who did not let a leader do what it preferred of all, on the robot and in the grid world.
+/// What prevented a leader's first preference, on the robot and in the grid world.
 enum class Overruled {
-  kNo,        ///< nobody, or it has no preference
+  kNo,        ///< nothing, or the leader has no preference
   kByShield,  ///< something is in the way: another of the choices was taken, or none was free
   kByBound    ///< the detour would be too long (DetourBound): the path through what is remembered was taken
 };

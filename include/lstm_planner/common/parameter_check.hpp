@@ -18,8 +18,8 @@ inline void checkParameter(bool fine, const std::string& name, double value, con
   throw std::invalid_argument(message.str());
 }
 
-/// Whether value <= limit. A limit that is computed from other parameters may be wrong in its last digits, so a value
-/// that exceeds it by no more than that keeps it.
+/// Whether value <= limit, except for rounding: the last digits of a limit that is computed from other parameters may
+/// be wrong.
 inline bool isAtMost(double value, double limit) {
   constexpr double kRounding = 1e-9;  // of the limit
   return value <= limit + kRounding * std::abs(limit);

@@ -14,7 +14,7 @@
 #include <emmintrin.h>
 #endif
 
-// Vectors are handed over between inlined functions only, so that how they are passed does not matter.
+// Vectors are passed only between inlined functions, so how they are passed does not matter.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
@@ -49,8 +49,8 @@ using Floats = typename VectorOf<kLanes>::Floats;
 template <int kLanes>
 using Integers = typename VectorOf<kLanes>::Integers;
 
-/// Vectors that go through the same functions side by side. Written one after the other, their chains of instructions
-/// would be so long that the processor looks no further than the first ones, and waits.
+/// Vectors that go through the same functions side by side. If they were handled one after the other, the processor
+/// would see only the instructions of the first vector, and wait.
 template <class V, int n>
 struct Group {
   V of[n];
@@ -86,14 +86,14 @@ constexpr int kWidest = 4;
   _Pragma("GCC unroll 16") for (int i = 0; i < n; ++i) { result.of[i] = expression; } \
   return result
 
-/// Numbers that start anywhere in memory.
+/// Reads numbers from any address.
 template <class V>
 LSTM_PLANNER_INLINE V load(const Element<V>* from) {
   V vector;
   __builtin_memcpy(&vector, from, sizeof(V));
   return vector;
 }
-/// One vector after the other: a compiler keeps in memory what is copied as a whole.
+/// Copies one vector after the other: what is copied as a whole, a compiler keeps in memory.
 template <class G>
 LSTM_PLANNER_INLINE G loadGroup(const Element<G>* from) {
   G group;

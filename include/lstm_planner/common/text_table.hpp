@@ -6,10 +6,10 @@
 
 namespace lstm_planner {
 
-/// "0.80"; with so many decimals.
+/// A number with so many decimals: "0.80".
 std::string fixedText(double number, int decimals);
 
-/// With blanks behind it up to a width.
+/// The text, filled with blanks on the right up to `width`.
 std::string leftText(const std::string& text, std::size_t width);
 
 /// A line of headings, and lines of cells below it, as people read them on a terminal. A cell ends where its heading

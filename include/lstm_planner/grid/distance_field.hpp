@@ -22,21 +22,21 @@ class DistanceField {
 };
 
 /// Length of the shortest 8-connected path from every cell to `goal` (Dijkstra, no corner cutting), m. The path keeps
-/// to cells whose distance to a blocked cell is at least `clearance` (m): the distance to go of a robot with that
-/// radius. It is +inf if there is no path; if the goal is too near to a blocked cell, it is +inf everywhere. Cells
-/// nearer than `comfort` to a blocked cell may cost up to `1 + reluctance` times their length, so that paths lead
-/// through the middle of doors.
+/// to cells whose distance to a blocked cell is at least `clearance` (m), the radius of the robot. The length is +inf
+/// if there is no path; it is +inf everywhere if the goal is outside or too near to a blocked cell. Cells nearer than
+/// `comfort` to a blocked cell may count up to `1 + reluctance` times their length, so that paths lead through the
+/// middle of doors.
 class GeodesicField {
  public:
   /// Where paths may lead, and what they cost near obstacles.
   struct Options {
-    double clearance = 0.2;
-    double comfort = 0.0;  ///< m; 0: costs are lengths
+    double clearance = 0.2;  ///< m
+    double comfort = 0.0;    ///< m; 0: costs are lengths
     double reluctance = 0.0;
   };
   GeodesicField(const OccupancyGrid& grid, const DistanceField& distances, CellIndex goal, const Options& options);
   float at(CellIndex index) const;  ///< m; +inf outside and where there is no path
-  /// Of a cell and its neighbours the one with the shortest path: the cell itself at the goal.
+  /// The neighbour with the shortest path; at the goal the cell itself.
   CellIndex nextOnPath(CellIndex cell) const;
 
  private:

@@ -10,7 +10,7 @@ namespace lstm_planner {
 
 constexpr int kGridRayCount = 8;
 
-/// The most cells that a ray reaches (thesis 3.2).
+/// The largest range of a ray, cells (thesis 3.2).
 constexpr int kGridRayCap = 50;
 
 /// Steps (columns, rows) of the eight rays, counter-clockwise from the x axis: east, north-east, north, north-west,
@@ -32,7 +32,7 @@ struct OctileSteps {
   Integer diagonal;
 };
 
-/// Cost of such a path.
+/// Cost of such a path, in fifths of a cell.
 inline int octileFifths(int columns, int rows) {
   const OctileSteps steps(columns, rows);
   return kStraightFifths * steps.straight + kDiagonalFifths * steps.diagonal;

@@ -64,6 +64,7 @@ class OccupancyGrid {
     return index.column >= 0 && index.row >= 0 && index.column < columns_ && index.row < rows_;
   }
   Cell at(CellIndex index) const { return contains(index) ? cells_[offset(index)] : Cell::kUnknown; }
+  /// `index` must be inside.
   void set(CellIndex index, Cell cell) { cells_[offset(index)] = cell; }
 
   /// The cell that contains the point (map frame, m); it may be outside.

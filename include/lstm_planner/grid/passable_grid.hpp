@@ -43,8 +43,7 @@ class PassableGrid {
   std::vector<std::uint8_t> cells_;
 };
 
-/// Whether a diagonal move may pass beside a blocked cell. The MovingAI benchmark does not allow it; the agents of the
-/// thesis did it.
+/// Whether a diagonal move may pass beside a blocked cell. The MovingAI benchmark does not allow it; the thesis does.
 enum class CornerCutting { kForbidden, kAllowed };
 
 /// Moves have the numbers of the rays: kGridRaySteps[direction]. Odd directions are diagonal.
@@ -63,7 +62,7 @@ inline CellIndex cellBeside(CellIndex cell, int direction) {
 /// Length of a move, 1 or sqrt(2), cells.
 inline double moveLength(int direction) { return direction % 2 == 0 ? 1.0 : 1.4142135623730951; }
 
-/// Whether the robot can move from `cell` to its neighbour in that direction.
+/// Whether a move from `cell` to its neighbour in that direction is possible.
 bool movePossible(const PassableGrid& grid, CellIndex cell, int direction, CornerCutting corner_cutting);
 
 /// What the agent of the thesis senses (Eq. 3.1): the number of steps to the first cell that is not passable, in the

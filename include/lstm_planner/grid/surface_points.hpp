@@ -7,8 +7,8 @@
 
 namespace lstm_planner {
 
-/// Points on the sides that occupied cells turn to others, at most `spacing` (m) apart and with the corners: where a
-/// scanner could meet something. Map frame, m. Throws std::invalid_argument for a spacing that is not positive.
+/// Points on the borders between occupied and other cells, at most `spacing` (m) apart and with the corners: a scanner
+/// could see them. Map frame, m. Throws std::invalid_argument for a spacing that is not positive.
 std::vector<Point2> surfacePoints(const OccupancyGrid& grid, double spacing);
 
 }  // namespace lstm_planner

@@ -3,7 +3,7 @@
 namespace lstm_planner {
 
 /// Element-wise activation functions of a dense layer or of the LSTM's candidate. In a header of its own, because the
-/// kernels, which are compiled for machines of different ages, cannot include Eigen.
+/// kernels, which are compiled for several instruction sets, must not include Eigen.
 enum class Activation { kIdentity, kTanh, kSigmoid, kRelu };
 
 }  // namespace lstm_planner

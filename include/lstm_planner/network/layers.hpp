@@ -24,9 +24,9 @@ namespace lstm_planner {
 /// The cell state is s' = f * s + i * candidate, the output is h = tanh(s') * o. The thesis prints a sigmoid as the
 /// activation of the candidate; Caffe, ONNX and PyTorch have tanh. Both are possible here.
 struct LstmLayer {
-  Eigen::MatrixXf input;
-  Eigen::MatrixXf recurrent;
-  Eigen::VectorXf bias;
+  Eigen::MatrixXf input;                     ///< 4 cells x inputs
+  Eigen::MatrixXf recurrent;                 ///< 4 cells x cells
+  Eigen::VectorXf bias;                      ///< 4 cells
   Activation candidate = Activation::kTanh;  ///< kTanh or kSigmoid
 };
 

@@ -23,8 +23,9 @@ class ModelFileError : public std::runtime_error {
 };
 
 /// Reads an ONNX file (operator sets 7 to 22). The graph must be a single chain of the operators LSTM, RNN, Gemm,
-/// MatMul with Add, Relu, Tanh, Sigmoid and Softmax, and of the operators that exporters put between them (Concat,
-/// Constant, Flatten, Gather, Identity, Reshape, Slice, Squeeze, Transpose, Unsqueeze).
+/// MatMul with Add, Relu, Tanh, Sigmoid and Softmax, and of the operators that exporters put between them (Cast,
+/// Concat, Constant, ConstantOfShape, Expand, Flatten, Gather, Identity, Reshape, Shape, Slice, Squeeze, Transpose,
+/// Unsqueeze).
 ///
 /// The graph computes one step of one robot: batch and sequence are 1 or have no number. The input may be several graph
 /// inputs that are joined by a Concat. Initial states may be graph inputs, zeros, missing, or parts of one graph input;

@@ -21,7 +21,7 @@ class PackedNetwork;
 /// bits with the same instruction set. Copies share their weights; each has its own hidden states. Not thread safe: use
 /// one for each agent.
 ///
-/// Sequences are counted from 0. Functions throw std::out_of_range for one that there is not.
+/// Sequences are counted from 0. Functions throw std::out_of_range for one that does not exist.
 class Network {
  public:
   /// One vector: for each recurrent layer its outputs, then the cell states if it is an LSTM.
@@ -37,7 +37,7 @@ class Network {
   ~Network();
 
   /// One step of a sequence. `input` has inputSize() values. The result has outputSize() values and is valid until the
-  /// next call, for whichever sequence.
+  /// next call, for any sequence.
   /// Throws std::invalid_argument for a wrong size, an input that is not finite, or one so large that a weighted sum
   /// exceeds the range of float; then the hidden state does not change. Sums beyond +-9 give the limits of the
   /// activations. Denormal numbers count as zero, as processors are slow with them; the floating-point mode of the
