@@ -14,10 +14,9 @@ namespace lstm_planner {
 /// The hidden state is zero at the first step, as after Network::reset(), and errors are propagated back to this step.
 /// For truncated back-propagation the caller cuts an episode into several sequences.
 struct Sequence {
-  Eigen::MatrixXf inputs;  ///< features x steps, as the network gets them (encoded)
-  Eigen::VectorXi labels;  ///< one class for each step, in [0, outputs of the network)
-  Eigen::VectorXf
-      weights;  ///< one for each step, >= 0; a step with 0 only moves the hidden state, its label is not used
+  Eigen::MatrixXf inputs;   ///< features x steps, as the network gets them (encoded)
+  Eigen::VectorXi labels;   ///< one class for each step, in [0, outputs of the network)
+  Eigen::VectorXf weights;  ///< one for each step, >= 0; with 0 it only moves the hidden state, the label is not used
 
   Eigen::Index steps() const { return inputs.cols(); }
 };
