@@ -40,8 +40,13 @@ void DriveRecorder::add(DriveEvent event) {
     // A goal is often given on another computer, whose clock must not be taken for a jump of the robot's.
     std::visit([this](auto& heard) { heard.stamp = newest_; }, event);
   }
-  const double stamp = stampOf(event);
   EventOrder::Verdict verdict = order_.add(event);
+  if (!is_sensed && verdict == EventOrder::Verdict::kLate) {
+    // Not even a goal that is long on its way may be lost: the robot drives to it.
+    std::visit([this](auto& heard) { heard.stamp = now_; }, event);
+    verdict = order_.add(event);
+  }
+  const double stamp = stampOf(event);
   if (verdict == EventOrder::Verdict::kClockSet) {
     workOnWhatIsDue(true);
     endEpisode(EpisodeEnd::kTimeJump);

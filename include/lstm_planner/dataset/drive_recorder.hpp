@@ -31,7 +31,8 @@ class DriveRecorder {
   /// `sink` must outlive the recorder. Throws as validate().
   DriveRecorder(const RecorderParameters& parameters, StepSink* sink, FrameLookup lookup);
 
-  /// An event with a flaw (flawOf()) is rejected.
+  /// An event with a flaw (flawOf()) is rejected, and so are odometry and scans that come too late. Goals, and the end
+  /// of one, that come too late hold from then on.
   void add(DriveEvent event);
 
   /// Counts something that was heard but cannot become an event; `why` is a sentence.

@@ -93,7 +93,7 @@ enum class Rejection {
   kNoTransform,     ///< the pose of the scanner or of the goal's frame was not known
   kUnusableScan,    ///< perceive() refused it, or the scanner is covered (SilenceWatch); counted once in a period
   kNotFinite,       ///< a message with a number that is not finite, or larger than any measurement: flawOf()
-  kLate,            ///< the message came after messages with later stamps were processed
+  kLate,            ///< odometry or a scan that came after messages with later stamps were processed
   kNoAllowedAngle,  ///< the robot went where no allowed angle leads, e.g. backwards
   kNoNextStep,      ///< its episode ended before its label was known
 };

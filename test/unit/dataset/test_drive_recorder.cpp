@@ -359,6 +359,24 @@ TEST_F(DriveRecorderTest, LateMessagesAreCountedWithTheirDelay) {
             "a message comes 0.500000 s after others with later stamps, expected at most delay = 0.300000 s");
 }
 
+TEST_F(DriveRecorderTest, AGoalAndItsEndHoldHoweverLateTheyCome) {
+  for (const double age : {0.2, 0.5, 1.5, 2.5}) {
+    steps_ = {};
+    DrivenRobot robot;
+    robot.drive(4.0, {0.3, 0.0});
+    robot.events.push_back(goalAt(robot.time() - age, 10.0, 0.0));
+    robot.drive(4.0, {0.3, 0.0});
+    robot.events.push_back(GoalGivenUp{robot.time() - age});
+    robot.drive(4.0, {0.3, 0.0});
+    record(robot.events);
+    EXPECT_EQ(steps_.rejected(Rejection::kLate), 0) << age;
+    ASSERT_EQ(steps_.episodes().size(), 1u) << age;
+    const Episode& episode = steps_.episodes()[0].episode;
+    EXPECT_EQ(episode.end, EpisodeEnd::kAborted) << age;
+    EXPECT_NEAR(episode.ended - episode.begun, 4.0, 0.6) << age;
+  }
+}
+
 TEST_F(DriveRecorderTest, ScansThatCannotBeAveragedAreCountedAndTheNextIsTaken) {
   DrivenRobot robot;
   robot.events.push_back(goalAt(robot.time(), 10.0, 0.0));
