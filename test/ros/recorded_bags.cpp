@@ -182,6 +182,30 @@ TEST(RecordedBagTest, TransformsLeadToTheBaseAlsoInMessagesOfTheirOwn) {
   EXPECT_NEAR(outcome.steps(), recorded(written("both.bag")).steps(), 2);
 }
 
+TEST(RecordedBagTest, TransformsAreThoseOfTheClockThatWasSetBack) {
+  BagDriveOptions options;
+  options.base_frame = "base_footprint";
+  DriveBagContent content;
+  for (const double set_back : {5.0, 60.0}) {
+    content.set_back = set_back;
+    content.odometry = true;
+    const Outcome expected = recorded(written("set_back.bag", content), options);
+    content.odometry = false;
+    const Outcome outcome = recorded(written("set_back_transforms.bag", content), options);
+    EXPECT_EQ(outcome.result.odometry, 320);
+    ASSERT_EQ(outcome.recording.episodes.size(), expected.recording.episodes.size()) << set_back;
+    for (std::size_t i = 0; i < expected.recording.episodes.size(); ++i) {
+      const RecordedEpisode& drive = outcome.recording.episodes[i];
+      const RecordedEpisode& other = expected.recording.episodes[i];
+      EXPECT_EQ(drive.episode.end, other.episode.end) << set_back << ", " << i;
+      ASSERT_EQ(drive.steps.size(), other.steps.size()) << set_back << ", " << i;
+      for (std::size_t k = 0; k < drive.steps.size(); ++k) {
+        EXPECT_LT(distanceBetween(drive.steps[k].pose, other.steps[k].pose), 1e-9);
+      }
+    }
+  }
+}
+
 TEST(RecordedBagTest, TopicsMayLackTheSlashInFront) {
   DriveBagContent content;
   content.root = "";

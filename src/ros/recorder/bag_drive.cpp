@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <memory>
 #include <new>
 #include <optional>
@@ -59,6 +60,28 @@ bool StampCheck::isPlausible(double stamp, double received) {
   }
   refused_ = stamp;
   return false;
+}
+
+/// Notices that the clock was set by which transforms are stamped. tf takes older stamps for late messages, which it
+/// drops, or mixes with those of the same time.
+class TransformClock {
+ public:
+  /// `max_gap`: s by which the stamps of a frame may go back.
+  explicit TransformClock(double max_gap) : max_gap_(max_gap) {}
+
+  bool wasSetBack(const geometry_msgs::TransformStamped& transform);
+
+ private:
+  double max_gap_;
+  std::map<std::string, double> newest_;  ///< s, by child frame: whoever publishes it has a clock of its own
+};
+
+bool TransformClock::wasSetBack(const geometry_msgs::TransformStamped& transform) {
+  const double stamp = transform.header.stamp.toSec();
+  double& newest = newest_.try_emplace(transform.child_frame_id, stamp).first->second;
+  const bool was_set_back = stamp < newest - max_gap_;
+  newest = was_set_back ? stamp : std::max(newest, stamp);
+  return was_set_back;
 }
 
 /// Makes odometry of the transforms between odometry frame and base.
@@ -139,7 +162,9 @@ class BagListener {
 /// Plays the messages of a recording, as often as is wanted.
 class BagPlayer {
  public:
-  BagPlayer(const OpenBags& bags, const BagDriveOptions& options) : options_(options), bags_(bags) {
+  /// `max_gap`: s, RecorderParameters::max_gap.
+  BagPlayer(const OpenBags& bags, const BagDriveOptions& options, double max_gap)
+      : options_(options), bags_(bags), max_gap_(max_gap) {
     rosbag::View view;
     for (const auto& bag : bags_) view.addQuery(*bag);
     topics_ = chooseTopics(&view, options);
@@ -151,6 +176,7 @@ class BagPlayer {
   void play(tf2::BufferCore* tf, BagListener* listener) {
     OdometryFromTransforms odometry(options_.odometry_frame, options_.base_frame);
     stamps_ = StampCheck();
+    clock_ = TransformClock(max_gap_);
     skipped_ = 0;
     rosbag::View view;
     for (const auto& bag : bags_) view.addQuery(*bag, rosbag::TopicQuery(topics_.all()));
@@ -196,6 +222,7 @@ class BagPlayer {
     std::vector<geometry_msgs::TransformStamped> plausible;
     for (const geometry_msgs::TransformStamped& transform : transforms->transforms) {
       if (!is_static && !isPlausible(transform, message)) continue;
+      if (!is_static && clock_.wasSetBack(transform)) tf->clear();  // static transforms stay
       tf->setTransform(transform, "bag", is_static);
       plausible.push_back(transform);
     }
@@ -221,8 +248,10 @@ class BagPlayer {
 
   const BagDriveOptions& options_;
   const OpenBags& bags_;
+  double max_gap_;
   BagTopics topics_;
   StampCheck stamps_;
+  TransformClock clock_{max_gap_};
   long skipped_ = 0;
   std::string first_skipped_;
 };
@@ -378,7 +407,7 @@ void checkContent(const BagDriveResult& result, const BagDriveOptions& options) 
 
 BagDriveResult record(const OpenBags& bags, const BagDriveOptions& options, const RecorderParameters& parameters,
                       StepSink* sink) {
-  BagPlayer player(bags, options);
+  BagPlayer player(bags, options, parameters.max_gap);
   Survey survey(options, parameters);
   tf2::BufferCore all_transforms;
   player.play(&all_transforms, &survey);

@@ -59,7 +59,8 @@ std::vector<BagParts> bagRecordings(const std::vector<std::string>& paths, doubl
 /// node dataset_recorder would have made of them. The parts are one timeline: goals and static transforms of one hold
 /// in those behind it. Beside goals move_base's cancel and result are heard, and tf: tf and tf_static, also of the
 /// old type tf/tfMessage. Each of these names is looked for in the namespace of the scans, and then in those around
-/// it. Needs no master, nor ros::init().
+/// it. Where the stamps of transforms go back by more than max_gap, the older ones are forgotten, as tf does when the
+/// node's clock goes back. Needs no master, nor ros::init().
 ///
 /// Odometry from tf has a message for each transform of `odometry_frame`, and the speeds between them. Goals in
 /// hindsight are found in what the recorder would hear of the odometry: see hindsightGoals().
