@@ -96,7 +96,9 @@ class GridQLearningHost : public GridTrainingHost {
       : GridTrainingHost(options, std::move(sets)), table_(tableOf(names())), training_(*training) {}
 
   void judged(const Judgement& judgement) override {
-    if (!judgement.due) return;
+    // An epoch that the checkpoint brought is judged again if its network is gone, but has its row.
+    const bool is_known = !points_.empty() && points_.back().epoch == training_.epoch();
+    if (!judgement.due || is_known) return;
     const GridQLearning::Report report = training_.report();
     points_.push_back({training_.epoch(), report.steps, report.reward, report.arrival, report.ratio, success(),
                        judgement.score, judgement.best});

@@ -62,9 +62,9 @@ class GridQLearningOnMaps final : public GridQLearning {
   void restore(const std::vector<std::uint8_t>& checkpoint) override {
     learner_.restore(checkpoint);
     course_.reset();
-    epoch_done_ = false;
     epoch_ = 0;
     while (epoch_ < parameters_.epochs && firstUpdate(epoch_ + 1) <= learner_.updates()) ++epoch_;
+    epoch_done_ = epoch_ > 0;
   }
 
  private:
@@ -107,7 +107,7 @@ class GridQLearningOnMaps final : public GridQLearning {
   std::optional<GridCourse> course_;  ///< of the epoch that goes on
   std::vector<QTile> tiles_;          ///< of the same
   int epoch_ = 0;
-  bool epoch_done_ = false;  ///< by the last step
+  bool epoch_done_ = false;  ///< and the next has not begun
   QSums sums_;
 };
 
