@@ -32,6 +32,9 @@ std::string firstDifference(const Json& made_with, const Json& wanted) {
   return "";
 }
 
+/// Names of files need be no UTF-8, which JSON demands.
+std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 std::string readCheckpointFile(const std::string& path) {
   try {
     return readInputFile(path, kLargestCheckpoint);
@@ -63,13 +66,15 @@ Json readHeader(const std::string& path, const std::string& content, std::size_t
 
 }  // namespace
 
+Json asInCheckpoint(const Json& json) { return Json::parse(textOf(json)); }
+
 void writeTrainingCheckpoint(const std::string& path, const TrainingCheckpoint& checkpoint) {
   const Json header = {{"settings", checkpoint.settings},
                        {"progress", checkpoint.progress},
                        {"learner_bytes", checkpoint.learner.size()}};
   try {
     OutputFile file(path);
-    file.stream() << kFirstLine << '\n' << header.dump() << '\n';
+    file.stream() << kFirstLine << '\n' << textOf(header) << '\n';
     file.stream().write(reinterpret_cast<const char*>(checkpoint.learner.data()),
                         static_cast<std::streamsize>(checkpoint.learner.size()));
     file.commit();
@@ -87,7 +92,7 @@ std::optional<TrainingCheckpoint> readTrainingCheckpoint(const std::string& path
   TrainingCheckpoint checkpoint;
   checkpoint.settings = header["settings"];
   checkpoint.progress = header["progress"];
-  const std::string difference = firstDifference(checkpoint.settings, settings);
+  const std::string difference = firstDifference(checkpoint.settings, asInCheckpoint(settings));
   if (!difference.empty()) {
     throw std::invalid_argument("checkpoint '" + path + "' is of a training " + difference +
                                 ": give the same options again, or another file");

@@ -16,6 +16,9 @@ struct TrainingCheckpoint {
   std::vector<std::uint8_t> learner;  ///< weights, optimisers and whatever else the learner needs
 };
 
+/// What is read again of settings or progress: letters that are no UTF-8, as in names of files, are replaced.
+nlohmann::json asInCheckpoint(const nlohmann::json& json);
+
 /// Replaces the file only when the new one is complete. Throws std::runtime_error when it cannot be written.
 void writeTrainingCheckpoint(const std::string& path, const TrainingCheckpoint& checkpoint);
 

@@ -58,7 +58,8 @@ class TrainingLoop {
     training_.restore(checkpoint->learner);
     try {
       const nlohmann::json& progress = checkpoint->progress;
-      const bool same = progress.value("output", options_.output) == options_.output;
+      const nlohmann::json output = asInCheckpoint(options_.output);
+      const bool same = progress.value("output", output) == output;
       if (same && progress.contains("best") && std::filesystem::exists(options_.output)) {
         best_ = progress["best"].get<double>();
       }

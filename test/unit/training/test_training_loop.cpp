@@ -243,6 +243,23 @@ TEST_F(TrainingLoop, TheBestOfBeforeAStopCountsUnlessItsFileIsGoneOrAnother) {
   EXPECT_EQ(bestAfterStopAndRest([](TrainingLoopOptions* rest) { std::filesystem::remove(rest->output); }), 0.3);
 }
 
+TEST_F(TrainingLoop, NamesOfFilesNeedBeNoUtf8) {
+  options_.output = in("mod\xe8le");
+  options_.settings["maps"] =
+      "donn\xe9"
+      "es";
+  Toy first;
+  Host stopping(first, options_.output);
+  stopping.scores_ = {0.9};
+  stopping.stop_after_ = kEpoch + 1;
+  runTraining(options_, &first, &stopping);
+  Toy second;
+  Host resuming(second, options_.output);
+  resuming.scores_ = {0.3, 0.2};
+  EXPECT_EQ(runTraining(options_, &second, &resuming).best, 0.9);
+  EXPECT_TRUE(resuming.resumed_);
+}
+
 TEST_F(TrainingLoop, AFinishedTrainingWritesItsNetworkToAnotherFile) {
   Toy first;
   Host host(first, in("model"));
