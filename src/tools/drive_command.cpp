@@ -86,7 +86,7 @@ int runDrive(const std::vector<std::string>& arguments) {
   DriveStates states;
   const DriveResults results = driveAll(options, course, &states);
   printDriveSummary(std::cout, course, results);
-  if (!options.json.empty()) writeTextFile(options.json, driveJson(options, course, results));
+  if (!options.json.empty()) writeJsonFile(options.json, driveJson(options, course, results));
   if (!options.details.empty()) writeTextFile(options.details, driveCsv(course, results));
   if (!options.pictures.empty()) drawDrives(options.pictures, course, results);
   if (!options.states.empty()) {

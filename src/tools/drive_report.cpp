@@ -168,7 +168,7 @@ void printDriveSummary(std::ostream& out, const DriveCourse& course, const Drive
   if (course.is_dynabarn) printDynaBarn(out, course, results);
 }
 
-std::string driveJson(const DriveOptions& options, const DriveCourse& course, const DriveResults& results) {
+nlohmann::json driveJson(const DriveOptions& options, const DriveCourse& course, const DriveResults& results) {
   nlohmann::json json = toJson(together(results), course.is_barn);
   const SimulatedRobot::Parameters& robot = course.rules.robot;
   json["map"] = course.source;
@@ -195,7 +195,7 @@ std::string driveJson(const DriveOptions& options, const DriveCourse& course, co
     world["name"] = course.worlds[i].name;
     json["worlds"].push_back(std::move(world));
   }
-  return json.dump(2) + "\n";
+  return json;
 }
 
 std::string driveCsv(const DriveCourse& course, const DriveResults& results) {

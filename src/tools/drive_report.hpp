@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <iosfwd>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ const char* toString(DriveResult::End end);
 /// For people: a line a world where there are not too many, and one for all.
 void printDriveSummary(std::ostream& out, const DriveCourse& course, const DriveResults& results);
 
-std::string driveJson(const DriveOptions& options, const DriveCourse& course, const DriveResults& results);
+nlohmann::json driveJson(const DriveOptions& options, const DriveCourse& course, const DriveResults& results);
 
 /// A line a goal.
 std::string driveCsv(const DriveCourse& course, const DriveResults& results);

@@ -54,7 +54,7 @@ void writeJson(const EvaluateOptions& options, const std::vector<GridSetSummary>
   nlohmann::json json = {{"agent", options.grid.agent.agent}, {"model", options.grid.agent.model}};
   json["sets"] = nlohmann::json::array();
   for (const GridSetSummary& summary : summaries) json["sets"].push_back(toJson(summary));
-  writeTextFile(options.json, json.dump(2) + "\n");
+  writeJsonFile(options.json, json);
 }
 
 /// The lines of one set.

@@ -118,7 +118,7 @@ void judgeByRecordings(const JudgeOptions& options, const DrivePolicy& policy) {
                                {"steps", taken.sum()},
                                {"same", taken.trace()},
                                {"balanced_accuracy", balancedAccuracy(taken)}};
-  writeTextFile(options.json, json.dump(2) + "\n");
+  writeJsonFile(options.json, json);
 }
 
 }  // namespace
@@ -152,7 +152,7 @@ int runJudge(const std::vector<std::string>& arguments) {
   }
   print(table, "all", all);
   json["worlds"]["all"] = toJson(all);
-  if (!options.json.empty()) writeTextFile(options.json, json.dump(2) + "\n");
+  if (!options.json.empty()) writeJsonFile(options.json, json);
   return 0;
 }
 

@@ -38,4 +38,8 @@ void writeTextFile(const std::string& path, const std::string& text) {
   writeOutputFile("file", path, [&](std::ostream& file) { file << text; });
 }
 
+void writeJsonFile(const std::string& path, const nlohmann::json& json) {
+  writeTextFile(path, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
 }  // namespace lstm_planner

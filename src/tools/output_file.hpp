@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace lstm_planner {
@@ -14,5 +15,8 @@ void makeOutputFolder(const std::string& path);
 
 /// Throws std::runtime_error when the file cannot be written.
 void writeTextFile(const std::string& path, const std::string& text);
+
+/// For people and programs; in names of files, what is no UTF-8 is replaced. Throws as writeTextFile().
+void writeJsonFile(const std::string& path, const nlohmann::json& json);
 
 }  // namespace lstm_planner

@@ -45,6 +45,13 @@ TEST_F(MapsTool, TheKindBuildingIsAMapServerMapOfTheSizeAskedFor) {
   EXPECT_EQ(map.rows(), 60);
 }
 
+TEST_F(MapsTool, AFolderWhoseNameIsNoUtf8IsJudgedInLikeAnother) {
+  const std::string folder = in("pi\xe8ge");
+  success("maps --kind random --columns 32 --rows 32 --output " + folder);
+  success("evaluate --agent greedy --scenarios " + folder + " --json " + in("result.json"));
+  EXPECT_NE(bytesOf("result.json").find("\"name\": \"pi\xef\xbf\xbdge\""), std::string::npos);
+}
+
 TEST_F(MapsTool, AnUnknownKindIsRefused) {
   const test::Outcome outcome = runTool("maps --kind jungle --output " + in("jungle"));
   EXPECT_EQ(outcome.status, 2);
