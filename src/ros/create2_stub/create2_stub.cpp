@@ -22,6 +22,7 @@
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "lstm_planner/ros/common/parameter_reader.hpp"
 #include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
+#include "lstm_planner/simulation/localiser.hpp"
 #include "ros/common/node_main.hpp"
 #include "ros/create2_stub/create2_stub_driver.hpp"
 #include "ros/create2_stub/create2_stub_scanner.hpp"
@@ -67,7 +68,6 @@ class Create2Stub {
   void watchOthers();
   void publishStaticTransforms();
   bool isLocalised() const { return parameters_.publish_map && parameters_.localisation_jump > 0.0; }
-  /// Corrects odometry by a jump when its error reaches localisation_jump.
   void publishLocalisation();
   void publishMap();
   void publishScans();
@@ -84,7 +84,7 @@ class Create2Stub {
   Create2StubScanner scanner_;
   std::optional<Create2StubScanner> second_scanner_;
   Create2StubDriver driver_;
-  Pose2 correction_;        ///< of the odometry frame, by the localisation
+  Localiser localiser_;
   std::uint64_t time_ = 0;  ///< ns, end of the last physics step
   Schedule driver_loop_;
   Schedule encoders_;
@@ -113,6 +113,7 @@ Create2Stub::Create2Stub(const Create2StubParameters& parameters)
       robot_(world_, parameters.robot, parameters.start, parameters.seed),
       scanner_(parameters.laser, parameters.seed + 1, parameters.laser_frame, "scan"),
       driver_(parameters, &robot_, [this] { return driverTime(); }),
+      localiser_(parameters.start, parameters.localisation_jump),
       driver_loop_(parameters.loop_hz),
       encoders_(kEncoderRate),
       clock_(kClockRate) {
@@ -289,12 +290,8 @@ void Create2Stub::publishStaticTransforms() {
 }
 
 void Create2Stub::publishLocalisation() {
-  const Pose2 odometry = driver_.odometry();
-  const Pose2 true_from_start = compose(inverse(parameters_.start), robot_.robot().truePose());
-  if (distanceBetween(compose(correction_, odometry), true_from_start) >= parameters_.localisation_jump) {
-    correction_ = compose(true_from_start, inverse(odometry));
-  }
-  const Pose2 map_from_odometry = compose(parameters_.start, correction_);
+  localiser_.localise(robot_.robot().truePose(), driver_.odometry());
+  const Pose2 map_from_odometry = compose(parameters_.start, localiser_.correction());
   broadcaster_.sendTransform(toMessage(map_from_odometry, parameters_.map_frame, parameters_.odom_frame, driverTime()));
 }
 
