@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <limits>
@@ -33,34 +32,10 @@
 #include "lstm_planner/ros/recorder/drive_messages.hpp"
 #include "ros/recorder/bag_message.hpp"
 #include "ros/recorder/bag_topics.hpp"
+#include "ros/recorder/stamp_check.hpp"
 
 namespace lstm_planner {
 namespace {
-
-/// Tells stamps that are far ahead of all others, such as 2^32 - 1 s, from a clock that was set: they would make tf
-/// forget everything else.
-class StampCheck {
- public:
-  /// False for a stamp (s) that is more than an hour ahead of when its message was received and of the stamps before,
-  /// unless the previous stamp was ahead by about as much.
-  bool isPlausible(double stamp, double received);
-
- private:
-  std::optional<double> newest_;   ///< s
-  std::optional<double> refused_;  ///< s, the last one
-};
-
-bool StampCheck::isPlausible(double stamp, double received) {
-  constexpr double kHour = 3600.0;  // s
-  const bool is_near = stamp <= std::max(received, newest_.value_or(received)) + kHour;
-  const bool is_other_clock = refused_ && std::abs(stamp - *refused_) <= kHour;
-  if (is_near || is_other_clock) {
-    newest_ = stamp;
-    return true;
-  }
-  refused_ = stamp;
-  return false;
-}
 
 /// Notices that the clock was set by which transforms are stamped. tf takes older stamps for late messages, which it
 /// drops, or mixes with those of the same time.

@@ -30,14 +30,13 @@
 #include "lstm_planner/ros/recorder/bag_drive.hpp"
 #include "lstm_planner/ros/replay/decision_display.hpp"
 #include "ros/common/node_main.hpp"
-#include "ros/common/timing.hpp"
 #include "ros/recorder/bag_message.hpp"
+#include "ros/recorder/stamp_check.hpp"
 
 namespace lstm_planner {
 namespace {
 
 const ros::WallDuration kSettling(0.5);  // within which a computer that is not too busy makes and serves connections
-constexpr double kFarAhead = 3600.0;     // s; a stamp so far ahead would make tf forget all others
 constexpr int kQueue = 1000;             // what is played as fast as possible comes faster than it is sent
 
 /// Plays the scans, odometry, transforms and map of a bag on /clock, scan, odom, /tf, /tf_static and map.
@@ -59,11 +58,12 @@ class BagReplayPlayer {
  private:
   void waitUntil(const ros::Time& time, double rate);
   void tellTime(const ros::Time& time);
-  void publish(const rosbag::MessageInstance& message, const ros::Time& time);
+  void publish(const rosbag::MessageInstance& message);
   void publishPose(const nav_msgs::Odometry& odometry);
 
   rosbag::Bag bag_;
   BagDriveResult drive_;
+  StampCheck stamps_;
 
   ros::NodeHandle node_;
   ros::Publisher clock_;
@@ -92,6 +92,7 @@ void BagReplayPlayer::placeScanner(const SensorMount& mount) {
 
 void BagReplayPlayer::play(double rate, const std::function<void(const ros::Time&)>& at) {
   rosbag::View view(bag_);
+  stamps_ = StampCheck();
   began_.reset();
   for (const rosbag::MessageInstance& message : view) {
     if (!ros::ok()) {
@@ -103,7 +104,7 @@ void BagReplayPlayer::play(double rate, const std::function<void(const ros::Time
     tellTime(time);
     at(time);
     try {
-      publish(message, time);
+      publish(message);
     } catch (const ros::Exception&) {
       // Its bytes are not those of such a message.
     }
@@ -132,8 +133,10 @@ void BagReplayPlayer::tellTime(const ros::Time& time) {
   clock_.publish(clock);
 }
 
-void BagReplayPlayer::publish(const rosbag::MessageInstance& message, const ros::Time& time) {
-  const auto isPlausible = [&](const auto& stamped) { return secondsBetween(time, stamped.header.stamp) <= kFarAhead; };
+void BagReplayPlayer::publish(const rosbag::MessageInstance& message) {
+  const auto isPlausible = [&](const auto& stamped) {
+    return stamps_.isPlausible(stamped.header.stamp.toSec(), message.getTime().toSec());
+  };
   const std::string& topic = message.getTopic();
   if (topic == drive_.scan_topic) {
     const auto scan = messageOf<sensor_msgs::LaserScan>(message);
