@@ -36,14 +36,13 @@ void DriveRecorder::add(DriveEvent event) {
     return;
   }
   const bool is_sensed = std::holds_alternative<OdometryHeard>(event) || std::holds_alternative<ScanHeard>(event);
-  if (!is_sensed && std::abs(stampOf(event) - newest_) > parameters_.max_gap) {
-    // A goal is often given on another computer, whose clock must not be taken for a jump of the robot's.
-    std::visit([this](auto& heard) { heard.stamp = newest_; }, event);
-  }
+  const auto restamp = [&event](double stamp) { std::visit([stamp](auto& heard) { heard.stamp = stamp; }, event); };
+  // A goal is often given on another computer, whose clock must not be taken for a jump of the robot's.
+  if (!is_sensed && std::abs(stampOf(event) - newest_) > parameters_.max_gap) restamp(newest_);
   EventOrder::Verdict verdict = order_.add(event);
   if (!is_sensed && verdict == EventOrder::Verdict::kLate) {
     // Not even a goal that is long on its way may be lost: the robot drives to it.
-    std::visit([this](auto& heard) { heard.stamp = now_; }, event);
+    restamp(now_);
     verdict = order_.add(event);
   }
   const double stamp = stampOf(event);

@@ -39,13 +39,13 @@ class HelpFormatter : public CLI::Formatter {
   std::string usage_;
 };
 
-/// The hint at the end of a sentence. The two dashes, which all names have, make none of them nearer.
-std::string hintAtOption(const std::string& name, const std::vector<std::string>& names) {
+/// The end of a sentence: a hint, or `otherwise`. The two dashes, which all names have, make none of them nearer.
+std::string hintAtOption(const std::string& name, const std::vector<std::string>& names, const std::string& otherwise) {
   const auto bare = [](const std::string& option) { return option.substr(std::min<std::size_t>(2, option.size())); };
   std::vector<std::string> bare_names;
   for (const std::string& option : names) bare_names.push_back(bare(option));
   const std::string nearest = nearestName(bare(name), bare_names);
-  return nearest.empty() ? "" : "; the nearest is --" + nearest;
+  return nearest.empty() ? otherwise : "; the nearest is --" + nearest;
 }
 
 bool looksLikeOption(const std::string& text) { return text.size() > 2 && text.compare(0, 2, "--") == 0; }
@@ -175,11 +175,7 @@ std::string wrapped(const std::string& text, std::size_t width, std::size_t inde
 }
 
 UnknownOption::UnknownOption(std::string name, std::vector<std::string> names, const std::string& otherwise)
-    : std::invalid_argument("there is no option " + name +
-                            [&] {
-                              const std::string hint = hintAtOption(name, names);
-                              return hint.empty() ? otherwise : hint;
-                            }()),
+    : std::invalid_argument("there is no option " + name + hintAtOption(name, names, otherwise)),
       name_(std::move(name)),
       names_(std::move(names)) {}
 
