@@ -186,19 +186,34 @@ const Decision& NavigationAgent::decide() {
     startStep();
     decideStep();
   } else if (clock_.isStalled(situation_)) {
-    if (decision_.on_route) {
-      replanner_->blockAhead();
-      decideStep();
-    } else if (replanner_ && isOneStep(decision_)) {
-      replanner_->blockTowards({situation_.pose.x, situation_.pose.y}, decision_.waypoint);
-      decideStep();
-    } else {
-      context().lookAround();
-    }
+    tryAnotherWay();
   } else if (!pathIsFree()) {
     decideStep();
   }
   return decision_;
+}
+
+/// It stands, so what is ahead is blocked by something that it does not see. If it stands still after that, it is held
+/// itself, e.g. by an emergency stop: then nothing was learned about the place, and nothing more will be.
+void NavigationAgent::tryAnotherWay() {
+  if (clock_.stalls() > 1) {
+    if (!has_blocked_) return;
+    has_blocked_ = false;
+    replanner_->unblock();
+    decideStep();
+    return;
+  }
+  has_blocked_ = replanner_ && (decision_.on_route || isOneStep(decision_));
+  if (!has_blocked_) {
+    context().lookAround();
+    return;
+  }
+  if (decision_.on_route) {
+    replanner_->blockAhead();
+  } else {
+    replanner_->blockTowards({situation_.pose.x, situation_.pose.y}, decision_.waypoint);
+  }
+  decideStep();
 }
 
 void NavigationAgent::arrive() {

@@ -15,6 +15,7 @@ void StepClock::start(const Situation& situation) {
   time_ = situation.time;
   stall_pose_ = situation.pose;
   stall_time_ = situation.time;
+  stalls_ = 0;
 }
 
 bool StepClock::isOver(const Situation& situation, const Point2& waypoint) const {
@@ -26,10 +27,12 @@ bool StepClock::isStalled(const Situation& situation) {
   if (hasMoved(situation, stall_pose_)) {
     stall_pose_ = situation.pose;
     stall_time_ = situation.time;
+    stalls_ = 0;
   }
-  const bool stalled = std::abs(situation.time - stall_time_) >= parameters_.stall;
-  if (stalled) stall_time_ = situation.time;
-  return stalled;
+  if (std::abs(situation.time - stall_time_) < parameters_.stall) return false;
+  stall_time_ = situation.time;
+  ++stalls_;
+  return true;
 }
 
 bool StepClock::hasMoved(const Situation& situation, const Pose2& since) const {

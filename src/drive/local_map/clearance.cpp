@@ -56,9 +56,6 @@ bool Clearance::moveTo(const Pose2& pose) {
 }
 
 void Clearance::block(const Point2& place) {
-  const auto outdateAt = [&](const Point2& block) {
-    if (const int cell = window_.cellAt(block); cell >= 0) outdate(cell);
-  };
   if (blocks_.size() == kMostBlocks) {
     outdateAt(blocks_.front());
     blocks_.erase(blocks_.begin());
@@ -67,11 +64,21 @@ void Clearance::block(const Point2& place) {
   outdateAt(place);
 }
 
+void Clearance::unblock() {
+  if (blocks_.empty()) return;
+  outdateAt(blocks_.back());
+  blocks_.pop_back();
+}
+
 void Clearance::relaxClearance(bool on) {
   const double radius = footprint_radius_ + (on ? -0.5 * window_.resolution() : 0.5 * tight_clearance_);
   if (radius == tight_radius_) return;
   tight_radius_ = radius;
   outdateAll();
+}
+
+void Clearance::outdateAt(const Point2& place) {
+  if (const int cell = window_.cellAt(place); cell >= 0) outdate(cell);
 }
 
 void Clearance::outdate(int cell) {

@@ -30,6 +30,8 @@ class StepClock {
 
   /// The robot has stood still for too long, since the step started or since the last call that said so.
   bool isStalled(const Situation& situation);
+  /// How often isStalled() has said so since the robot moved or turned last, or the step started.
+  int stalls() const { return stalls_; }
 
  private:
   bool hasMoved(const Situation& situation, const Pose2& since) const;
@@ -40,6 +42,7 @@ class StepClock {
   double time_ = 0.0;        ///< s
   Pose2 stall_pose_;         ///< where the robot has been since stall_time_
   double stall_time_ = 0.0;  ///< s
+  int stalls_ = 0;
 };
 
 }  // namespace lstm_planner

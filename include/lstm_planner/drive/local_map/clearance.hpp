@@ -36,6 +36,8 @@ class Clearance {
 
   /// A place is blocked from now on. Of too many the oldest gives way.
   void block(const Point2& place);
+  /// The place that was blocked last is not, if there is any.
+  void unblock();
 
   /// Whether places count as passable that seem too narrow by not more than the error of noise and squares.
   void relaxClearance(bool on);
@@ -57,6 +59,7 @@ class Clearance {
   static constexpr std::uint8_t kNothingNear =
       static_cast<std::uint8_t>(static_cast<int>(Passage::kRoomy) << 4 | (kSide / 2 * kSide + kSide / 2));
 
+  void outdateAt(const Point2& place);
   void outdate(int cell);
   void outdateAll();
   std::uint8_t judgement(int cell) {

@@ -59,6 +59,8 @@ class Replanner {
   void blockAhead();
   /// The same for the straight way from `here` to `next`.
   void blockTowards(const Point2& here, const Point2& next);
+  /// It was not: the last of these calls is taken back.
+  void unblock() { memory_.unblock(); }
 
   /// As update() found it, until it finds none: from the robot to the goal, or to where the footprint still fits when
   /// the goal lies in something.

@@ -264,6 +264,29 @@ TEST_F(NavigationRoutes, ARobotThatIsHeldUpOnTheRouteIsLedAnotherWay) {
   EXPECT_GT(distanceBetween(decision.waypoint, Point2{0.3, 0.0}), 0.15);
 }
 
+TEST_F(NavigationRoutes, ARobotThatIsHeldByAnEmergencyStopLearnsNothingAboutThePlace) {
+  const Decision before = test::decideIn(returnsAt(kWall), &agent_);
+  const Point2 ahead = pointAlong(Point2{}, before.direction, 0.3);
+  const auto isFree = [&] { return agent_.memory()->isFree(Point2{}, ahead, Passage::kTight); };
+  int blocked = 0;
+  for (int i = 1; i <= 600; ++i) {
+    Situation held = returnsAt({});
+    held.time = 0.5 * i;
+    EXPECT_EQ(test::decideIn(held, &agent_).choice, Leader::kRoute) << held.time << " s";
+    blocked += !isFree();
+  }
+  EXPECT_EQ(blocked, 4) << "for 2 s it is led another way";
+  EXPECT_TRUE(isFree());
+  EXPECT_GT(lengthOn(agent_.decision()) + 0.4, kRoundTheWall) << "the wall is remembered";
+  // Set free, it drives on: if it is held up elsewhere, it is led another way again.
+  Situation on = returnsAt({}, {ahead.x, ahead.y, before.direction});
+  on.time = 301.0;
+  test::decideIn(on, &agent_);
+  on.time = 303.0;
+  test::decideIn(on, &agent_);
+  EXPECT_GT(std::abs(normalizeAngle(agent_.decision().direction - before.direction)), 0.3);
+}
+
 TEST_F(NavigationRoutes, SaysThatThereIsNoPathAfterThreeTurnsInAClosedRing) {
   double turned = 0.0;
   for (int i = 0; i < 100; ++i) {

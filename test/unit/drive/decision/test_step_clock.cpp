@@ -36,9 +36,12 @@ TEST(StepClock, SaysOnceInAWhileThatTheRobotStandsStill) {
   clock.start(situationAt({}, 0.0));
   EXPECT_FALSE(clock.isStalled(situationAt({}, 1.9)));
   EXPECT_TRUE(clock.isStalled(situationAt({0.005, 0.0, 0.0}, 2.1)));
+  EXPECT_EQ(clock.stalls(), 1);
   EXPECT_FALSE(clock.isStalled(situationAt({}, 4.0)));
   EXPECT_TRUE(clock.isStalled(situationAt({}, 4.2)));
+  EXPECT_EQ(clock.stalls(), 2);
   EXPECT_FALSE(clock.isStalled(situationAt({0.1, 0.0, 0.0}, 7.0))) << "it has moved";
+  EXPECT_EQ(clock.stalls(), 0);
 }
 
 }  // namespace

@@ -377,6 +377,19 @@ TEST(LocalMap, ABlockedPlaceStaysBlockedThoughTheScanShowsItClear) {
   EXPECT_TRUE(memory.isFree({4.5, 4.0}, {5.5, 4.0}, Passage::kRoomy));
 }
 
+TEST(LocalMap, ABlockIsTakenBackAndTheOneBeforeStays) {
+  LocalMap memory = emptyMemory();
+  memory.add(test::situationAt({}));
+  memory.unblock();  // there is none
+  memory.block({1.0, 0.0});
+  memory.block({2.0, 0.0});
+  ASSERT_TRUE(isBlocked(&memory, {2.0, 0.0}));
+  memory.unblock();
+  EXPECT_FALSE(isBlocked(&memory, {2.0, 0.0}));
+  EXPECT_EQ(memory.passage(memory.cellAt({2.0, 0.0})), Passage::kRoomy);
+  EXPECT_TRUE(isBlocked(&memory, {1.0, 0.0}));
+}
+
 TEST(LocalMap, ThirtyTwoBlockedPlacesAreKeptTheOldestIsForgotten) {
   LocalMap memory = emptyMemory(40.0);
   memory.add(test::situationAt({}));
