@@ -52,9 +52,10 @@ Outlook Evasion::withCommand(const Twist2& command) const {
 
 Outlook Evasion::towards(double direction, double speed) const {
   const double free = shield_.freeDistance({}, direction, speed * parameters_.evade_time, parameters_.safety_margin);
+  const double gain = headingGain(parameters_.heading_gain, reaction_time_);
   return roll([&](const Pose2& pose) {
     const double error = normalizeAngle(direction - pose.yaw);
-    Twist2 twist{0.0, clampMagnitude(parameters_.heading_gain * error, parameters_.max_angular)};
+    Twist2 twist{0.0, clampMagnitude(gain * error, parameters_.max_angular)};
     const double left = free - std::hypot(pose.x, pose.y);
     if (std::abs(error) < parameters_.turn_in_place && left > 0.0) {
       const double brakes = std::sqrt(2.0 * parameters_.linear_acceleration * left);

@@ -211,7 +211,7 @@ MotionCommand MotionController::choose(const Moment& now, const std::vector<Poin
     const bool aligned = std::abs(error) <= parameters_.heading_tolerance;
     if (aligned) return {{}, StopReason::kArrived};
     if (has_corners) return turnWithCorners(error, now);
-    return {{0.0, clampMagnitude(parameters_.heading_gain * error, parameters_.max_angular)}, StopReason::kNone};
+    return {{0.0, wantedTurn(error, parameters_.max_angular)}, StopReason::kNone};
   }
 
   if (now.history.gets_out && !persons.near) {
@@ -228,7 +228,7 @@ MotionCommand MotionController::choose(const Moment& now, const std::vector<Poin
   if (std::abs(error) > kBehind && turns && error * current.angular < 0.0) {
     error -= std::copysign(2.0 * M_PI, error);
   }
-  Twist2 twist{0.0, clampMagnitude(parameters_.heading_gain * error, parameters_.max_angular)};
+  Twist2 twist{0.0, wantedTurn(error, parameters_.max_angular)};
   StopReason stop = StopReason::kNone;
   if (std::abs(error) < parameters_.turn_in_place) {
     const double brakes = std::sqrt(2.0 * parameters_.linear_acceleration * to_goal);
@@ -296,6 +296,10 @@ Pose2 MotionController::target(const MotionSituation& situation) const {
     }
   }
   return plan[ahead];
+}
+
+double MotionController::wantedTurn(double error, double most) const {
+  return clampMagnitude(headingGain(parameters_.heading_gain, reaction_time_) * error, most);
 }
 
 Twist2 MotionController::withinWheelLimits(const Twist2& twist) const {
@@ -460,7 +464,7 @@ MotionCommand MotionController::turnWithCorners(double error, const Moment& now)
     return {{0.0, turningSpeed(other, now)}, StopReason::kNone};
   }
   if (!now.history.goes_back && std::abs(error) < M_PI_2) {
-    const double angular = clampMagnitude(parameters_.heading_gain * error, parameters_.max_angular);
+    const double angular = wantedTurn(error, parameters_.max_angular);
     for (const double share : kNarrower) {
       const Twist2 arc{slowSpeed(parameters_), share * angular};
       const auto [speed, stop] = safeSpeedWithCorners(arc, now);
@@ -522,14 +526,14 @@ Twist2 MotionController::twistTo(const Pose2& place) const {
     const double linear = std::copysign(fastest, along);
     return {linear, clampMagnitude(linear * 2.0 * place.y / (away * away), parameters_.max_angular)};
   }
-  const double time = std::max(
-      {std::abs(along) / fastest, 2.0 * std::abs(turn) / parameters_.max_angular, 1.0 / parameters_.heading_gain});
+  const double time = std::max({std::abs(along) / fastest, 2.0 * std::abs(turn) / parameters_.max_angular,
+                                1.0 / headingGain(parameters_.heading_gain, reaction_time_)});
   return {std::abs(along) < kTurnsOnly ? 0.0 : along / time, turn / time};
 }
 
 double MotionController::turningSpeed(double angle, const Moment& now) const {
   const double most = std::min(parameters_.max_angular, yieldingTurn(now.persons));
-  const double wanted = clampMagnitude(parameters_.heading_gain * angle, most);
+  const double wanted = wantedTurn(angle, most);
   const auto twist = fastestShare({0.0, wanted}, SafeMotion(parameters_, reaction_time_, now, now.history, now.margin));
   return twist ? twist->angular : 0.0;
 }

@@ -17,6 +17,10 @@ constexpr double kLeastMargin = 0.5;
 /// simulator's cells come on top of noise there.
 constexpr double kNarrowMargin = 2.0 / 3.0;
 
+/// Turning speed for each rad of heading error, 1/s: `gain`, or less where a turn is seen so late (`reaction_time`, s)
+/// that the robot would turn too far to either side for ever.
+inline double headingGain(double gain, double reaction_time) { return std::min(gain, 1.0 / reaction_time); }
+
 inline double clampMagnitude(double value, double limit) { return std::max(-limit, std::min(limit, value)); }
 
 /// The first pose of a plan, from `first` on, that is so far from the robot (m), or its last one.

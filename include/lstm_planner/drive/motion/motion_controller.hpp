@@ -190,6 +190,7 @@ class MotionController {
 
   MotionCommand choose(const Moment& now, const std::vector<Point2>& moving) const;
   Pose2 target(const MotionSituation& situation) const;
+  double wantedTurn(double error, double most) const;
   Twist2 withinWheelLimits(const Twist2& twist) const;
   SafeSpeed safeSpeed(const Twist2& wanted, const Moment& now) const;
   double cautiousSpeed(const Twist2& twist, const Shield& shield) const;

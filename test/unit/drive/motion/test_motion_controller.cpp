@@ -305,6 +305,22 @@ TEST_F(MotionControllerTest, SaysWhyItDoesNotDrive) {
       << "it turns away";
 }
 
+TEST_F(MotionControllerTest, TurnsToItsPlanWhereCommandsAreLongOnTheirWay) {
+  MotionParameters parameters;
+  parameters.reaction_time = 0.8;  // 0.7 s of a velocity smoother
+  const MotionController controller(parameters);
+  const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {0.0, 3.0}});
+  Create2 robot({}, {}, 1);
+  std::deque<Twist2> on_their_way(7);
+  for (int i = 0; i < 300; ++i) {
+    on_their_way.push_back(controller.compute({plan, robot.truePose(), robot.measuredTwist(), shield_, kPeriod}));
+    robot.command(on_their_way.front());
+    on_their_way.pop_front();
+    robot.step(kPeriod);
+  }
+  EXPECT_TRUE(controller.goalReached(robot.truePose(), plan.back())) << "it turned to and fro";
+}
+
 TEST_F(MotionControllerTest, RefusesLimitsThatAreNotPositive) {
   MotionParameters parameters;
   parameters.max_linear = 0.0;
