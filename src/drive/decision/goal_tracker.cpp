@@ -12,7 +12,8 @@ bool sameGoal(const GoalInFrame& a, const GoalInFrame& b) {
          std::abs(normalizeAngle(a.pose.yaw - b.pose.yaw)) <= kSameHeading;
 }
 
-GoalTracker::GoalTracker(double patience) : patience_(patience) {
+GoalTracker::GoalTracker(double patience, bool announces_each_plan)
+    : patience_(patience), announces_each_plan_(announces_each_plan) {
   if (!std::isfinite(patience) || patience <= 0.0) {
     throw std::invalid_argument("the goal tracker's patience is " + std::to_string(patience) +
                                 " s, expected a positive number");
@@ -20,13 +21,24 @@ GoalTracker::GoalTracker(double patience) : patience_(patience) {
 }
 
 void GoalTracker::announce(const GoalInFrame& goal) {
+  if (announces_each_plan_) {
+    announced_ = goal;
+    return;
+  }
   driven_ = goal;
   starts_anew_ = true;
   candidate_.reset();
 }
 
 GoalTracker::Verdict GoalTracker::ask(const GoalInFrame& goal, double time) {
-  if (driven_ && sameGoal(*driven_, goal)) {
+  const bool goes_on = isDriven(goal) && std::abs(time - asked_) <= patience_;
+  if (announced_ && sameGoal(*announced_, goal) && !goes_on) {
+    driven_ = goal;
+    starts_anew_ = true;
+  }
+  announced_.reset();
+  if (isDriven(goal)) {
+    asked_ = time;
     candidate_.reset();
     const bool starts_anew = starts_anew_;
     starts_anew_ = false;
@@ -36,6 +48,7 @@ GoalTracker::Verdict GoalTracker::ask(const GoalInFrame& goal, double time) {
     return Verdict::kQuestion;
   }
   driven_ = goal;
+  asked_ = time;
   starts_anew_ = false;
   candidate_.reset();
   return Verdict::kNewGoal;

@@ -30,6 +30,9 @@ double goalPatience() {
   return 5.0;
 }
 
+/// move_base_flex does, and has a list of planners.
+bool announcesEachPlan() { return ros::NodeHandle("~").hasParam("planners"); }
+
 /// Only a network that leads must be there. `problem`: why it is not.
 DrivePolicy policyOf(const GlobalPlannerParameters& parameters, std::string* problem) {
   try {
@@ -53,7 +56,7 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
       sensors_(&messages_, parameters.sensors, frameName(base_frame), tf_),
       costmap_(parameters.use_costmap ? costmap : nullptr, parameters.agent.shield.reach),
       goals_(messages_.nodeHandle(), messages_.nodeHandle("~")),
-      tracker_(goalPatience()),
+      tracker_(goalPatience(), announcesEachPlan()),
       markers_(ros::NodeHandle("~/" + name), agent_.policy().description(), parameters.trace_length),
       decisions_(ros::NodeHandle("~/" + name), agent_.policy().description().actions),
       arrival_(ros::NodeHandle("~/" + name)),

@@ -22,7 +22,8 @@ bool sameGoal(const GoalInFrame& a, const GoalInFrame& b);
 /// the goal that the robot drives to may advance the hidden state. There are two ways to
 /// recognise it:
 ///  - an announcement: move_base publishes each goal that it accepts. An announced goal is always a new one, also at
-///    the same pose;
+///    the same pose. move_base_flex announces the goal before each plan, and then where the plan ends: there only a
+///    goal counts that is asked for next, and it is new if nobody asked for it within `patience` s;
 ///  - where none was heard: a goal that is asked for again after `patience` s, while nobody asked for the driven one,
 ///    has taken its place. As long as there is no driven goal at all, the second question is enough.
 /// Everything else is a question. Not thread safe.
@@ -36,8 +37,8 @@ class GoalTracker {
   };
 
   /// `patience`: s, longer than the time between two calls for the driven goal. Throws std::invalid_argument unless it
-  /// is finite and positive.
-  explicit GoalTracker(double patience);
+  /// is finite and positive. `announces_each_plan`: as move_base_flex.
+  explicit GoalTracker(double patience, bool announces_each_plan = false);
 
   /// The goal was accepted for driving.
   void announce(const GoalInFrame& goal);
@@ -52,8 +53,12 @@ class GoalTracker {
     double first_asked = 0.0;  ///< s
   };
   bool takesOver(const GoalInFrame& goal, double time);
+  bool isDriven(const GoalInFrame& goal) const { return driven_ && sameGoal(*driven_, goal); }
 
   double patience_;
+  bool announces_each_plan_;
+  std::optional<GoalInFrame> announced_;  ///< before the next plan, where each is announced
+  double asked_ = 0.0;                    ///< s, when the driven goal was asked for last
   std::optional<GoalInFrame> driven_;
   bool starts_anew_ = false;  ///< announced, but not asked for since
   std::optional<Candidate> candidate_;

@@ -98,6 +98,21 @@ TEST(GoalTrackerTest, ClockThatJumpsBackDoesNotBlockATakeover) {
   EXPECT_EQ(tracker.ask(kOtherGoal, 1.0), Verdict::kNewGoal);
 }
 
+TEST(GoalTrackerTest, GoalThatIsAnnouncedBeforeEachPlanIsNewOnce) {
+  const GoalInFrame plan_end{"map", {2.9, 1.0, 0.5}};
+  GoalTracker tracker(kPatience, true);
+  for (int i = 0; i < 20; ++i) {
+    tracker.announce(kGoal);
+    EXPECT_EQ(tracker.ask(kGoal, 0.2 * i), i == 0 ? Verdict::kNewGoal : Verdict::kDriven);
+    tracker.announce(plan_end);
+    EXPECT_EQ(tracker.ask(kGoal, 0.2 * i + 0.1), Verdict::kDriven) << "asked again without an announcement";
+  }
+  tracker.announce(kOtherGoal);
+  EXPECT_EQ(tracker.ask(kOtherGoal, 4.0), Verdict::kNewGoal);
+  tracker.announce(kOtherGoal);
+  EXPECT_EQ(tracker.ask(kOtherGoal, 10.0), Verdict::kNewGoal) << "sent again, after it had ended";
+}
+
 TEST(GoalTrackerTest, GoalsDifferByFramePositionAndHeading) {
   EXPECT_TRUE(sameGoal(kGoal, {"odom", {3.0005, 1.0, 0.5 + 2.0 * M_PI}}));
   EXPECT_FALSE(sameGoal(kGoal, {"map", {3.0, 1.0, 0.5}}));
