@@ -28,7 +28,7 @@ class ControlledRobot : public LoopRobot {
         correct_drift_(correct_drift),
         listener_(listener),
         tracker_(parameters.motion) {
-    tracker_.expectReactionTime(parameters.robot.longestScanPeriod(), kControlPeriod);
+    tracker_.expectReactionTime(parameters.robot.longestScanPeriod(), 0.0, kControlPeriod);
     const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry starts at the start
     goal_ = {goal.x, goal.y, 0.0};
   }

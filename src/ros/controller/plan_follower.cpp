@@ -88,7 +88,8 @@ MotionCommand PlanFollower::compute() {
   for (const Pose2& pose : plan_) odometry_plan.push_back(compose(odometry_from_plan, pose));
   perceive(reading, now);
   const double period = 1.0 / parameters_.controller_frequency;
-  tracker_.expectReactionTime(reading.scan_period, period);
+  const double oldest = reading.second ? std::min(reading.first.stamp, reading.second->stamp) : reading.first.stamp;
+  tracker_.expectReactionTime(reading.scan_period, now.toSec() - oldest, period);
   speed_ = std::abs(reading.twist.linear);
   MotionCommand command = tracker_.compute(odometry_plan, seen_, reading.twist, shield_, period);
   idle_.note(reading.newest_pose, now.toSec(), {command.linear, command.angular});

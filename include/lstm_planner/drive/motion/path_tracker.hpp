@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -32,10 +33,11 @@ class PathTracker {
     moving_.expectSpeed(parameters.max_linear);
   }
 
-  /// What moves is seen every `scan_period` s and answered every `control_period` s; see MotionController.
-  void expectReactionTime(double scan_period, double control_period) {
+  /// What moves is seen every `scan_period` s, or `scan_age` s ago where scans come late, and answered every
+  /// `control_period` s; see MotionController.
+  void expectReactionTime(double scan_period, double scan_age, double control_period) {
     constexpr double kDriverPeriod = 0.1;  // s, of the slowest usual base drivers
-    controller_.expectReactionTime(scan_period + control_period + kDriverPeriod);
+    controller_.expectReactionTime(std::max(scan_period, scan_age) + control_period + kDriverPeriod);
   }
 
   /// The odometry jumped: what was seen is somewhere else now.
