@@ -20,7 +20,7 @@ int cellNumber(double coordinate) {
 }  // namespace
 
 OccupancyGrid::OccupancyGrid(int columns, int rows, double resolution, Pose2 origin, Cell fill)
-    : columns_(columns), rows_(rows), resolution_(resolution), origin_(origin) {
+    : resolution_(resolution), origin_(origin) {
   if (columns <= 0 || rows <= 0 || static_cast<double>(columns) * rows > kMostCells) {
     throw std::invalid_argument("the grid has " + std::to_string(columns) + " x " + std::to_string(rows) +
                                 " cells, expected positive sizes and at most 2^28 cells");
@@ -30,7 +30,7 @@ OccupancyGrid::OccupancyGrid(int columns, int rows, double resolution, Pose2 ori
                                 " m a cell, expected a positive finite number");
   }
   if (!isFinite(origin)) throw std::invalid_argument("the grid's origin is not finite");
-  cells_.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), fill);
+  CellField::operator=(CellField(columns, rows, fill));
 }
 
 CellIndex OccupancyGrid::cellAt(const Point2& point) const {

@@ -10,12 +10,12 @@ bool isDiagonal(int direction) { return direction % 2 != 0; }
 
 }  // namespace
 
-PassableGrid::PassableGrid(int columns, int rows, bool passable) : columns_(columns), rows_(rows) {
+PassableGrid::PassableGrid(int columns, int rows, bool passable) {
   if (columns < 1 || rows < 1 || std::int64_t{columns} * rows > kMostCells) {
     throw std::invalid_argument("a grid of " + std::to_string(columns) + " x " + std::to_string(rows) +
                                 " cells, expected positive sizes and at most 2^26 cells");
   }
-  cells_.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), passable ? 1 : 0);
+  CellField::operator=(CellField(columns, rows, passable ? 1 : 0));
 }
 
 bool movePossible(const PassableGrid& grid, CellIndex cell, int direction, CornerCutting corner_cutting) {

@@ -19,39 +19,32 @@ class LazyThetaStar {
  public:
   LazyThetaStar(const DistanceField& distances, const GeodesicField& to_goal, const OccupancyGrid& grid,
                 double clearance)
-      : distances_(distances), to_goal_(to_goal), grid_(grid), clearance_(clearance) {
-    const std::size_t cells = static_cast<std::size_t>(grid.columns()) * static_cast<std::size_t>(grid.rows());
-    lengths_.assign(cells, static_cast<float>(kUnreachable));
-    parents_.resize(cells);
-    closed_.assign(cells, 0);
-  }
+      : distances_(distances),
+        to_goal_(to_goal),
+        resolution_(grid.resolution()),
+        clearance_(clearance),
+        lengths_(grid.columns(), grid.rows(), static_cast<float>(kUnreachable)),
+        parents_(grid.columns(), grid.rows(), {}),
+        closed_(grid.columns(), grid.rows(), 0) {}
 
   /// In cells.
   double search(CellIndex start, CellIndex goal) {
-    lengths_[offset(start)] = 0.0f;
-    parents_[offset(start)] = start;
+    lengths_[start] = 0.0f;
+    parents_[start] = start;
     push(start);
     while (!open_.empty()) {
-      const CellIndex here = cellAt(open_.top().second);
+      const CellIndex here = lengths_.cellAt(open_.top().second);
       open_.pop();
-      if (closed_[offset(here)] != 0) continue;
+      if (closed_[here] != 0) continue;
       makeSure(here);
-      closed_[offset(here)] = 1;
-      if (here == goal) return lengths_[offset(here)];
+      closed_[here] = 1;
+      if (here == goal) return lengths_[here];
       expand(here);
     }
     return kUnreachable;
   }
 
  private:
-  std::size_t offset(CellIndex cell) const {
-    return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(grid_.columns()) +
-           static_cast<std::size_t>(cell.column);
-  }
-  CellIndex cellAt(std::size_t offset) const {
-    const auto columns = static_cast<std::size_t>(grid_.columns());
-    return {static_cast<int>(offset % columns), static_cast<int>(offset / columns)};
-  }
   bool isFree(CellIndex cell) const {
     const float distance = distances_.at(cell);
     return distance > 0.0f && distance >= clearance_;
@@ -59,8 +52,8 @@ class LazyThetaStar {
   static double distance(CellIndex a, CellIndex b) { return std::hypot(a.column - b.column, a.row - b.row); }
 
   void push(CellIndex cell) {
-    const double left = to_goal_.at(cell) / grid_.resolution() / kDetour;
-    open_.push({lengths_[offset(cell)] + left, offset(cell)});
+    const double left = to_goal_.at(cell) / resolution_ / kDetour;
+    open_.push({lengths_[cell] + left, lengths_.offset(cell)});
   }
 
   template <typename Visit>
@@ -77,26 +70,26 @@ class LazyThetaStar {
 
   /// Its path came straight from the parent of the cell before, on trust.
   void makeSure(CellIndex cell) {
-    if (isVisible(parents_[offset(cell)], cell)) return;
+    if (isVisible(parents_[cell], cell)) return;
     double best = kUnreachable;
     forNeighbours(cell, [&](CellIndex neighbour) {
-      if (closed_[offset(neighbour)] == 0) return;
-      const double length = lengths_[offset(neighbour)] + distance(neighbour, cell);
+      if (closed_[neighbour] == 0) return;
+      const double length = lengths_[neighbour] + distance(neighbour, cell);
       if (length >= best) return;
       best = length;
-      parents_[offset(cell)] = neighbour;
+      parents_[cell] = neighbour;
     });
-    lengths_[offset(cell)] = static_cast<float>(best);
+    lengths_[cell] = static_cast<float>(best);
   }
 
   void expand(CellIndex cell) {
-    const CellIndex parent = parents_[offset(cell)];
+    const CellIndex parent = parents_[cell];
     forNeighbours(cell, [&](CellIndex neighbour) {
-      if (closed_[offset(neighbour)] != 0) return;
-      const auto length = static_cast<float>(lengths_[offset(parent)] + distance(parent, neighbour));
-      if (length >= lengths_[offset(neighbour)]) return;
-      lengths_[offset(neighbour)] = length;
-      parents_[offset(neighbour)] = parent;
+      if (closed_[neighbour] != 0) return;
+      const auto length = static_cast<float>(lengths_[parent] + distance(parent, neighbour));
+      if (length >= lengths_[neighbour]) return;
+      lengths_[neighbour] = length;
+      parents_[neighbour] = parent;
       push(neighbour);
     });
   }
@@ -133,11 +126,11 @@ class LazyThetaStar {
 
   const DistanceField& distances_;
   const GeodesicField& to_goal_;
-  const OccupancyGrid& grid_;
+  double resolution_;
   double clearance_;
-  std::vector<float> lengths_;  ///< cells, from the start
-  std::vector<CellIndex> parents_;
-  std::vector<char> closed_;
+  CellField<float> lengths_;  ///< cells, from the start
+  CellField<CellIndex> parents_;
+  CellField<char> closed_;
   using Entry = std::pair<double, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> open_;
 };

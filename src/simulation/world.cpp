@@ -87,17 +87,14 @@ bool World::touches(const Footprint& footprint, const Pose2& pose) const {
   return touchesPolygon(footprint, pose);
 }
 
-GridWorld::GridWorld(OccupancyGrid grid) : grid_(std::move(grid)), distances_(grid_, false) {
-  const std::size_t cells = static_cast<std::size_t>(grid_.columns()) * static_cast<std::size_t>(grid_.rows());
-  leaps_.reserve(cells);
-  for (int row = 0; row < grid_.rows(); ++row) {
-    for (int column = 0; column < grid_.columns(); ++column) {
-      // The distance joins centres; a ray may start at a corner of this cell and meet a corner of the other: sqrt(2),
-      // and a little for the float.
-      const double free = distances_.at({column, row}) / grid_.resolution() - M_SQRT2 - 1e-3;
-      const bool occupied = grid_.at({column, row}) == Cell::kOccupied;
-      leaps_.push_back(occupied ? 0 : static_cast<std::uint8_t>(1.0 + std::clamp(std::floor(free), 0.0, 254.0)));
-    }
+GridWorld::GridWorld(OccupancyGrid grid)
+    : grid_(std::move(grid)), distances_(grid_, false), leaps_(grid_.columns(), grid_.rows(), 0) {
+  for (const CellIndex cell : grid_.cells()) {
+    // The distance joins centres; a ray may start at a corner of this cell and meet a corner of the other: sqrt(2),
+    // and a little for the float.
+    const double free = distances_.at(cell) / grid_.resolution() - M_SQRT2 - 1e-3;
+    if (grid_[cell] == Cell::kOccupied) continue;
+    leaps_[cell] = static_cast<std::uint8_t>(1.0 + std::clamp(std::floor(free), 0.0, 254.0));
   }
 }
 
@@ -145,15 +142,12 @@ double GridWorld::castRay(double column, double row, double dx, double dy, doubl
   const double per_row = dy != 0.0 ? 1.0 / dy : kNothing;
   const int columns = grid_.columns();
   const int rows = grid_.rows();
-  const auto leapAt = [&](int x, int y) -> int {
-    return leaps_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x)];
-  };
   // Rounding at the edge of the map must not put the entry outside.
   int x = std::clamp(static_cast<int>(std::floor(column + travelled * dx)), 0, columns - 1);
   int y = std::clamp(static_cast<int>(std::floor(row + travelled * dy)), 0, rows - 1);
 
   while (travelled <= leave) {
-    const int leap = leapAt(x, y);
+    const int leap = leaps_[{x, y}];
     if (leap == 0) return travelled;
     if (leap > 2) {
       travelled += leap - 1;
@@ -172,7 +166,7 @@ double GridWorld::castRay(double column, double row, double dx, double dy, doubl
     const int next_y = to_row <= to_column ? y + up : y;
     if (next_x < 0 || next_y < 0 || next_x >= columns || next_y >= rows) return kNothing;
     const bool through_corner = next_x != x && next_y != y;
-    if (through_corner && leapAt(next_x, y) == 0 && leapAt(x, next_y) == 0) {
+    if (through_corner && leaps_[{next_x, y}] == 0 && leaps_[{x, next_y}] == 0) {
       return travelled <= leave ? travelled : kNothing;
     }
     x = next_x;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <limits>
 
 #include "lstm_planner/grid/occupancy_grid.hpp"
 
@@ -13,12 +13,10 @@ class DistanceField {
  public:
   DistanceField() = default;
   DistanceField(const OccupancyGrid& grid, bool unknown_blocks);
-  float at(CellIndex index) const;  ///< 0 outside
+  float at(CellIndex index) const { return distances_.at(index, 0.0f); }  ///< 0 outside
 
  private:
-  int columns_ = 0;
-  int rows_ = 0;
-  std::vector<float> distances_;
+  CellField<float> distances_;
 };
 
 /// Length of the shortest 8-connected path from every cell to `goal` (Dijkstra, no corner cutting), m. The path keeps
@@ -35,14 +33,13 @@ class GeodesicField {
     double reluctance = 0.0;
   };
   GeodesicField(const OccupancyGrid& grid, const DistanceField& distances, CellIndex goal, const Options& options);
-  float at(CellIndex index) const;  ///< m; +inf outside and where there is no path
+  /// m; +inf outside and where there is no path.
+  float at(CellIndex index) const { return lengths_.at(index, std::numeric_limits<float>::infinity()); }
   /// The neighbour with the shortest path; at the goal the cell itself.
   CellIndex nextOnPath(CellIndex cell) const;
 
  private:
-  int columns_ = 0;
-  int rows_ = 0;
-  std::vector<float> lengths_;
+  CellField<float> lengths_;
 };
 
 }  // namespace lstm_planner

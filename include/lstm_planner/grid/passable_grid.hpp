@@ -3,16 +3,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
+#include "lstm_planner/grid/cell_field.hpp"
 #include "lstm_planner/grid/grid_rays.hpp"
-#include "lstm_planner/grid/occupancy_grid.hpp"
 
 namespace lstm_planner {
 
 /// The passable cells of an ASCII map. Row 0 is the first line of the file, column 0 its first letter. Lengths are in
 /// cells. Cells outside are not passable.
-class PassableGrid {
+class PassableGrid : public CellField<std::uint8_t> {
  public:
   static constexpr std::int64_t kMostCells = std::int64_t{1} << 26;
 
@@ -20,27 +19,9 @@ class PassableGrid {
   /// Throws std::invalid_argument for a size that is not positive or for more than kMostCells.
   PassableGrid(int columns, int rows, bool passable);
 
-  int columns() const { return columns_; }
-  int rows() const { return rows_; }
-  CellRange cells() const { return {columns_, rows_}; }
-  bool contains(CellIndex cell) const {
-    return cell.column >= 0 && cell.row >= 0 && cell.column < columns_ && cell.row < rows_;
-  }
-  bool passable(CellIndex cell) const { return contains(cell) && cells_[offset(cell)] != 0; }
+  bool passable(CellIndex cell) const { return at(cell, 0) != 0; }
   /// `cell` must be inside.
-  void set(CellIndex cell, bool passable) { cells_[offset(cell)] = passable ? 1 : 0; }
-
-  std::size_t size() const { return cells_.size(); }
-  /// Index of a cell inside in vectors of size() values.
-  std::size_t offset(CellIndex cell) const {
-    return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(columns_) +
-           static_cast<std::size_t>(cell.column);
-  }
-
- private:
-  int columns_ = 0;
-  int rows_ = 0;
-  std::vector<std::uint8_t> cells_;
+  void set(CellIndex cell, bool passable) { (*this)[cell] = passable ? 1 : 0; }
 };
 
 /// Whether a diagonal move may pass beside a blocked cell. The MovingAI benchmark does not allow it; the thesis does.

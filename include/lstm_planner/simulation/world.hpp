@@ -56,7 +56,7 @@ class GridWorld : public World {
   DistanceField distances_;
   /// A cell each: 0 = occupied, otherwise 1 + whole cells that a ray can go on from anywhere in the cell without
   /// meeting an occupied one. A byte each, so that a building fits in the cache.
-  std::vector<std::uint8_t> leaps_;
+  CellField<std::uint8_t> leaps_;
 };
 
 /// A round obstacle, m.

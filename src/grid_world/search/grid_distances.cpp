@@ -1,6 +1,8 @@
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 
+#include <array>
 #include <limits>
+#include <vector>
 
 namespace lstm_planner {
 namespace {
@@ -13,26 +15,26 @@ constexpr std::size_t kBuckets = 3;
 }  // namespace
 
 GridDistances::GridDistances(const PassableGrid& grid, CellIndex goal, CornerCutting corner_cutting)
-    : columns_(grid.columns()), rows_(grid.rows()), lengths_(grid.size(), kUnreachable) {
+    : lengths_(grid.columns(), grid.rows(), kUnreachable) {
   if (!grid.passable(goal)) return;
   struct Open {
     CellIndex cell;
     float length;
   };
   std::array<std::vector<Open>, kBuckets> buckets;
-  lengths_[grid.offset(goal)] = 0.0f;
+  lengths_[goal] = 0.0f;
   buckets[0].push_back({goal, 0.0f});
   std::size_t empty_in_a_row = 0;
   for (std::size_t bucket = 0; empty_in_a_row < kBuckets; ++bucket) {
     std::vector<Open>& open = buckets[bucket % kBuckets];
     empty_in_a_row = open.empty() ? empty_in_a_row + 1 : 0;
     for (const Open& current : open) {
-      if (current.length > lengths_[grid.offset(current.cell)]) continue;
+      if (current.length > lengths_[current.cell]) continue;
       for (int direction = 0; direction < kGridMoveCount; ++direction) {
         if (!movePossible(grid, current.cell, direction, corner_cutting)) continue;
         const CellIndex cell = cellBeside(current.cell, direction);
         const float length = current.length + static_cast<float>(moveLength(direction));
-        float& known = lengths_[grid.offset(cell)];
+        float& known = lengths_[cell];
         if (length >= known) continue;
         known = length;
         buckets[static_cast<std::size_t>(length) % kBuckets].push_back({cell, length});
@@ -42,10 +44,6 @@ GridDistances::GridDistances(const PassableGrid& grid, CellIndex goal, CornerCut
   }
 }
 
-float GridDistances::at(CellIndex cell) const {
-  if (cell.column < 0 || cell.row < 0 || cell.column >= columns_ || cell.row >= rows_) return kUnreachable;
-  return lengths_[static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(columns_) +
-                  static_cast<std::size_t>(cell.column)];
-}
+float GridDistances::at(CellIndex cell) const { return lengths_.at(cell, kUnreachable); }
 
 }  // namespace lstm_planner

@@ -4,17 +4,17 @@
 
 namespace lstm_planner {
 
-RangeTable::RangeTable(const PassableGrid& grid) : columns_(grid.columns()), ranges_(grid.size(), GridRanges{}) {
+RangeTable::RangeTable(const PassableGrid& grid) : ranges_(grid.columns(), grid.rows(), GridRanges{}) {
   // A cell sees one step further than its neighbour in that direction, so the neighbour comes first: row by row those
   // in directions 0 to 3 lie behind the cell, the others before it. Blocked cells hold 0.
   constexpr int kHalf = kGridRayCount / 2;
   const auto fill = [&](CellIndex cell, int first_direction) {
     if (!grid.passable(cell)) return;
-    GridRanges& ranges = ranges_[grid.offset(cell)];
+    GridRanges& ranges = ranges_[cell];
     for (int direction = first_direction; direction < first_direction + kHalf; ++direction) {
       const std::size_t ray = static_cast<std::size_t>(direction);
       const CellIndex beside = cellBeside(cell, direction);
-      const int seen = grid.contains(beside) ? ranges_[grid.offset(beside)][ray] : 0;
+      const int seen = grid.contains(beside) ? ranges_[beside][ray] : 0;
       ranges[ray] = static_cast<std::uint8_t>(std::min(seen + 1, kGridRayCap));
     }
   };

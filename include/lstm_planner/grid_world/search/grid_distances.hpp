@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "lstm_planner/grid/passable_grid.hpp"
 
 namespace lstm_planner {
@@ -18,9 +16,7 @@ class GridDistances {
   float at(CellIndex cell) const;
 
  private:
-  int columns_ = 0;
-  int rows_ = 0;
-  std::vector<float> lengths_;
+  CellField<float> lengths_;
 };
 
 }  // namespace lstm_planner

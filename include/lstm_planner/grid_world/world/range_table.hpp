@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "lstm_planner/grid/passable_grid.hpp"
 
 namespace lstm_planner {
@@ -13,14 +11,10 @@ class RangeTable {
   explicit RangeTable(const PassableGrid& grid);
 
   /// `cell` must be inside and passable; blocked cells have 0 in all directions.
-  const GridRanges& at(CellIndex cell) const {
-    return ranges_[static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(columns_) +
-                   static_cast<std::size_t>(cell.column)];
-  }
+  const GridRanges& at(CellIndex cell) const { return ranges_[cell]; }
 
  private:
-  int columns_ = 0;
-  std::vector<GridRanges> ranges_;
+  CellField<GridRanges> ranges_;
 };
 
 }  // namespace lstm_planner
