@@ -37,28 +37,6 @@
 namespace lstm_planner {
 namespace {
 
-/// Notices that the clock was set by which transforms are stamped. tf takes older stamps for late messages, which it
-/// drops, or mixes with those of the same time.
-class TransformClock {
- public:
-  /// `max_gap`: s by which the stamps of a frame may go back.
-  explicit TransformClock(double max_gap) : max_gap_(max_gap) {}
-
-  bool wasSetBack(const geometry_msgs::TransformStamped& transform);
-
- private:
-  double max_gap_;
-  std::map<std::string, double> newest_;  ///< s, by child frame: whoever publishes it has a clock of its own
-};
-
-bool TransformClock::wasSetBack(const geometry_msgs::TransformStamped& transform) {
-  const double stamp = transform.header.stamp.toSec();
-  double& newest = newest_.try_emplace(transform.child_frame_id, stamp).first->second;
-  const bool was_set_back = stamp < newest - max_gap_;
-  newest = was_set_back ? stamp : std::max(newest, stamp);
-  return was_set_back;
-}
-
 /// Makes odometry of the transforms between odometry frame and base.
 class OdometryFromTransforms {
  public:
@@ -151,7 +129,7 @@ class BagPlayer {
   void play(tf2::BufferCore* tf, BagListener* listener) {
     OdometryFromTransforms odometry(options_.odometry_frame, options_.base_frame);
     stamps_ = StampCheck();
-    clock_ = TransformClock(max_gap_);
+    newest_transforms_.clear();
     skipped_ = 0;
     rosbag::View view;
     for (const auto& bag : bags_) view.addQuery(*bag, rosbag::TopicQuery(topics_.all()));
@@ -197,7 +175,7 @@ class BagPlayer {
     std::vector<geometry_msgs::TransformStamped> plausible;
     for (const geometry_msgs::TransformStamped& transform : transforms->transforms) {
       if (!is_static && !isPlausible(transform, message)) continue;
-      if (!is_static && clock_.wasSetBack(transform)) tf->clear();  // static transforms stay
+      if (!is_static && wasClockSetBack(transform)) tf->clear();  // static transforms stay
       tf->setTransform(transform, "bag", is_static);
       plausible.push_back(transform);
     }
@@ -206,6 +184,16 @@ class BagPlayer {
       const std::optional<nav_msgs::Odometry> heard = odometry->of(transform, *tf);
       if (heard) listener->hear(*heard, message.getTime());
     }
+  }
+
+  /// The clock by which transforms are stamped. tf takes older stamps for late messages, which it drops, or mixes with
+  /// those of the same time.
+  bool wasClockSetBack(const geometry_msgs::TransformStamped& transform) {
+    const double stamp = transform.header.stamp.toSec();
+    double& newest = newest_transforms_.try_emplace(transform.child_frame_id, stamp).first->second;
+    const bool was_set_back = stamp < newest - max_gap_;
+    newest = was_set_back ? stamp : std::max(newest, stamp);
+    return was_set_back;
   }
 
   template <typename Stamped>
@@ -226,7 +214,7 @@ class BagPlayer {
   double max_gap_;
   BagTopics topics_;
   StampCheck stamps_;
-  TransformClock clock_{max_gap_};
+  std::map<std::string, double> newest_transforms_;  ///< s, by child frame: each publisher has a clock of its own
   long skipped_ = 0;
   std::string first_skipped_;
 };
