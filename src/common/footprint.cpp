@@ -117,6 +117,13 @@ double reachBeyond(const Footprint& footprint, const std::vector<Point2>& points
   return beyond > kSame ? beyond : 0.0;
 }
 
+std::vector<Point2> costmapCircle(double radius) {
+  constexpr int kCorners = 16;
+  std::vector<Point2> corners;
+  for (int i = 0; i < kCorners; ++i) corners.push_back(pointAlong(Point2{}, 2.0 * M_PI * i / kCorners, radius));
+  return corners;
+}
+
 std::string textOf(const Footprint& footprint) {
   std::ostringstream text;
   for (const Point2& corner : footprint.corners()) {

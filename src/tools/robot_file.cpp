@@ -3,17 +3,16 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
-#include <iomanip>
 #include <limits>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "lstm_planner/common/nearest_name.hpp"
 #include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/common/words.hpp"
 #include "lstm_planner/drive/plugin_parameters.hpp"
 #include "lstm_planner/simulation/create2.hpp"
@@ -224,17 +223,6 @@ void checkBody(const std::string& path, const ShieldParameters& shield, const St
   }
 }
 
-/// As costmap_2d makes it of a radius: a polygon of 16 corners.
-std::vector<Point2> outlineOf(const Footprint& footprint) {
-  if (!footprint.isCircle()) return footprint.corners();
-  constexpr int kCorners = 16;
-  std::vector<Point2> corners;
-  for (int i = 0; i < kCorners; ++i) {
-    corners.push_back(pointAlong(Point2{}, 2.0 * M_PI * i / kCorners, footprint.circumscribedRadius()));
-  }
-  return corners;
-}
-
 /// Where a costmap's footprint reaches beyond that of the plugins, the real robot would use the costmap's.
 void checkCostmap(const std::string& path, const Values& values, const std::string& costmap, const Footprint& own) {
   double radius = 0.0;
@@ -246,14 +234,13 @@ void checkCostmap(const std::string& path, const Values& values, const std::stri
   if (corners == "[]") corners.clear();  // costmap_2d then takes the radius
   if (radius == 0.0 && corners.empty()) return;
   const std::string name = costmap + (corners.empty() ? "/robot_radius" : "/footprint");
-  const double beyond = reachBeyond(own, outlineOf(footprintOf(path + ": " + name, radius, corners)));
+  const Footprint footprint = footprintOf(path + ": " + name, radius, corners);
+  const double beyond = reachBeyond(own, footprint.isCircle() ? costmapCircle(radius) : footprint.corners());
   if (beyond == 0.0) return;
-  std::ostringstream sentence;
-  sentence
-      << path << ": " << name << " reaches " << std::fixed << std::setprecision(3) << beyond
-      << " m beyond the footprint of the plugins, and the real robot would use that larger footprint; expected the "
-         "same one in LstmGlobalPlanner/shield, SteeringController and the costmaps";
-  throw std::invalid_argument(sentence.str());
+  throw std::invalid_argument(
+      path + ": " + name + " reaches " + fixedText(beyond, 3) +
+      " m beyond the footprint of the plugins, and the real robot would use that larger footprint; expected the same "
+      "one in LstmGlobalPlanner/shield, SteeringController and the costmaps");
 }
 
 bool isMisspelt(const std::string& name, const std::string& group) {

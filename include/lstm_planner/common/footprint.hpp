@@ -52,6 +52,9 @@ Footprint footprintOf(const std::string& name, double radius, const std::string&
 /// beyond the edge by no more than robots are measured (2 mm).
 double reachBeyond(const Footprint& footprint, const std::vector<Point2>& points);
 
+/// The polygon that costmap_2d has in place of a circle of this radius (m).
+std::vector<Point2> costmapCircle(double radius);
+
 /// The corners as text, as footprintOf() reads it; empty for a circle.
 std::string textOf(const Footprint& footprint);
 

@@ -17,21 +17,12 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr int kCircleCorners = 16;  // costmap_2d's, in place of a circle
-constexpr double kRound = 0.05;     // their sides are 2 % nearer
+constexpr double kRound = 0.05;  // the sides of costmap_2d's polygon for a circle are 2 % nearer
 
 /// Where costmap_2d looks for a parameter; empty where nobody has set it.
 std::string nameOf(const std::string& costmap, const std::string& parameter) {
   std::string found;
   return ros::NodeHandle("~/" + costmap).searchParam(parameter, found) ? found : "";
-}
-
-std::vector<Point2> cornersOfCircle(double radius) {
-  std::vector<Point2> corners;
-  for (int i = 0; i < kCircleCorners; ++i) {
-    corners.push_back(pointAlong(Point2{}, 2.0 * M_PI * i / kCircleCorners, radius));
-  }
-  return corners;
 }
 
 /// As costmap_2d reads them, for a stand-in that does not. Throws std::invalid_argument naming the parameter.
@@ -47,7 +38,7 @@ std::vector<Point2> cornersByParameters(const std::string& polygon, const std::s
     throw std::invalid_argument("parameter " + radius + " is " + asText(value).value_or("a structure") +
                                 ", expected a positive number");
   }
-  return cornersOfCircle(*number);
+  return costmapCircle(*number);
 }
 
 std::string describe(const Footprint& footprint) {
