@@ -82,21 +82,17 @@ void RobotInWorld::step(double seconds) {
   const Pose2 before = robot_.truePose();
   robot_.step(seconds);
   const Pose2 after = robot_.truePose();
-  if (world_.touches(footprint_, after)) {
-    // A disc that turns in place never touches more than before.
-    robot_.holdPosition({before.x, before.y, footprint_.isCircle() ? after.yaw : before.yaw});
-    if (!in_contact_) ++contacts_;
-    in_contact_ = true;
-  } else if (in_contact_ && !world_.touches(footprint_.grown(kContactEnds), after)) {
-    in_contact_ = false;
-  }
+  const bool touches = world_.touches(footprint_, after);
+  // A disc that turns in place never touches more than before.
+  if (touches) robot_.holdPosition({before.x, before.y, footprint_.isCircle() ? after.yaw : before.yaw});
+  contacts_.note(touches || (contacts_.isTouching() && world_.touches(footprint_.grown(kContactEnds), after)));
 }
 
 bool RobotInWorld::pressed(bool left) const {
   const Pose2& pose = robot_.truePose();
   const double bearing = left ? kBumperBearing : -kBumperBearing;
   const Point2 there = pointAlong(pose, pose.yaw + bearing, kBumperTravel);
-  return in_contact_ && world_.touches(footprint_, {there.x, there.y, pose.yaw});
+  return contacts_.isTouching() && world_.touches(footprint_, {there.x, there.y, pose.yaw});
 }
 
 }  // namespace lstm_planner

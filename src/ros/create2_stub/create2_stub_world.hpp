@@ -6,6 +6,7 @@
 
 #include "lstm_planner/grid/occupancy_grid.hpp"
 #include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
+#include "lstm_planner/simulation/contact_count.hpp"
 #include "lstm_planner/simulation/create2.hpp"
 #include "lstm_planner/simulation/world.hpp"
 
@@ -39,7 +40,7 @@ class RobotInWorld {
   void step(double seconds);
 
   Create2& robot() { return robot_; }
-  unsigned contacts() const { return contacts_; }
+  unsigned contacts() const { return static_cast<unsigned>(contacts_.contacts()); }
   /// True while something presses the left or right half of the bumper.
   bool pressed(bool left) const;
 
@@ -47,8 +48,7 @@ class RobotInWorld {
   const World& world_;
   Create2 robot_;
   Footprint footprint_;
-  unsigned contacts_ = 0;
-  bool in_contact_ = false;
+  ContactCount contacts_;
 };
 
 }  // namespace lstm_planner
