@@ -14,6 +14,8 @@ std::string fixedText(double number, int decimals) {
   return text.str();
 }
 
+std::string percentText(double share, int decimals) { return fixedText(100.0 * share, decimals) + " %"; }
+
 std::string leftText(const std::string& text, std::size_t width) {
   return text + std::string(width - std::min(width, text.size()), ' ');
 }

@@ -200,10 +200,9 @@ class DriveImitationCourse : public ImitationCourse {
 
 void validate(const ImitationParameters& parameters) {
   visitImitationParameters(parameters, RangeCheck());
-  checkParameter(parameters.validation_worlds > 0, "validation_worlds", parameters.validation_worlds,
-                 "a positive number");
-  checkParameter(parameters.max_steps > 0, "max_steps", parameters.max_steps, "a positive number");
-  checkParameter(parameters.threads > 0, "threads", parameters.threads, "a positive number");
+  checkPositive("validation_worlds", parameters.validation_worlds);
+  checkPositive("max_steps", parameters.max_steps);
+  checkPositive("threads", parameters.threads);
   validate(parameters.policy.encoder);
   checkParameter(parameters.policy.encoder.views == 1, "views", parameters.policy.encoder.views,
                  "1: eight views learn by reinforcement only");

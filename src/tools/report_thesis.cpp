@@ -74,8 +74,6 @@ std::vector<GridSetFiles> setsIn(const std::vector<std::string>& folders) {
   return sets;
 }
 
-std::string percent(double share) { return fixedText(100.0 * share, 2) + " %"; }
-
 /// A network agent as the thesis lets it walk, or with the shield.
 ReportAgent networkAgent(const std::string& name, const Model& model, bool shield) {
   NetworkGridAgent::Options options;
@@ -121,8 +119,8 @@ std::vector<ReportAgent> trainAgents(const ThesisOptions& options, const ThesisM
         trainThesisNetwork(network, options.training, filesOf(maps.training), filesOf(maps.validation), progress);
     if (interruption.wanted()) throw std::runtime_error("interrupted while " + network.name + " was trained");
     if (isFirstRank()) writeModelFile(options.output + "/" + network.file, trained.model);
-    table.row({network.name, std::to_string(countWeights(trained.model.layers)), percent(trained.training_accuracy),
-               percent(trained.validation_accuracy)});
+    table.row({network.name, std::to_string(countWeights(trained.model.layers)),
+               percentText(trained.training_accuracy, 2), percentText(trained.validation_accuracy, 2)});
     agents.push_back(networkAgent(network.name, trained.model, false));
     shielded.push_back(networkAgent(network.name + ", with shield", trained.model, true));
   }

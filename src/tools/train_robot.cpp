@@ -170,8 +170,6 @@ Dataset readDatasetsFor(const PolicyDescription& policy, const std::vector<std::
   return needsScans(dataset, policy) ? readDatasets(paths, true) : dataset;
 }
 
-std::string percentText(double share) { return fixedText(100.0 * share, 1) + " %"; }
-
 std::string accuracyText(const ConfusionMatrix& confusion) {
   return "accuracy " + percentText(accuracyOf(confusion)) + ", balanced " + percentText(balancedAccuracy(confusion));
 }

@@ -70,9 +70,6 @@ Dataset readDatasets(const std::vector<std::string>& paths, bool with_scans);
 /// The same, with scans only where the policy needs them.
 Dataset readDatasetsFor(const PolicyDescription& policy, const std::vector<std::string>& paths);
 
-/// "12.3 %".
-std::string percentText(double share);
-
 /// "accuracy 88.3 %, balanced 55.3 %", of a row a label.
 std::string accuracyText(const ConfusionMatrix& confusion);
 

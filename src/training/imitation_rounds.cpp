@@ -27,7 +27,7 @@ void append(const std::vector<EpochReport>& round, std::vector<EpochReport>* cur
 ImitationRounds::ImitationRounds(const ImitationRoundsParameters& parameters, const LayerStack& layers,
                                  std::unique_ptr<ImitationCourse> course)
     : parameters_(parameters), first_layers_(layers), layers_(layers), course_(std::move(course)) {
-  checkParameter(parameters.rounds > 0, "rounds", parameters.rounds, "a positive number");
+  checkPositive("rounds", parameters.rounds);
   checkParameter(parameters.batch_steps >= 0, "batch_steps", parameters.batch_steps, "zero or more");
 }
 

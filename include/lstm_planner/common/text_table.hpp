@@ -9,6 +9,9 @@ namespace lstm_planner {
 /// A number with so many decimals: "0.80".
 std::string fixedText(double number, int decimals);
 
+/// "12.3 %".
+std::string percentText(double share, int decimals = 1);
+
 /// The text, filled with blanks on the right up to `width`.
 std::string leftText(const std::string& text, std::size_t width);
 

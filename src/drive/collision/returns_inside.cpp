@@ -1,7 +1,8 @@
 #include "lstm_planner/drive/collision/returns_inside.hpp"
 
 #include <cstddef>
-#include <cstdio>
+
+#include "lstm_planner/common/text_table.hpp"
 
 namespace lstm_planner {
 
@@ -19,14 +20,10 @@ std::string returnsInside(const std::vector<Point2>& returns, const Footprint& f
     where = point;
   }
   if (count == 0) return "";
-  char text[300];
-  std::snprintf(
-      text, sizeof(text),
-      "returns of the scan are inside the footprint (%zu), the deepest %.2f m, at (%.2f, %.2f) m in the robot's "
-      "frame: if it is a part of the robot, filter these beams (package laser_filters) or raise the "
-      "scanner's range_min",
-      count, -deepest, where.x, where.y);
-  return text;
+  return "returns of the scan are inside the footprint (" + std::to_string(count) + "), the deepest " +
+         fixedText(-deepest, 2) + " m, at (" + fixedText(where.x, 2) + ", " + fixedText(where.y, 2) +
+         ") m in the robot's frame: if it is a part of the robot, filter these beams (package laser_filters) or raise "
+         "the scanner's range_min";
 }
 
 }  // namespace lstm_planner

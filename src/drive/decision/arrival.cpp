@@ -1,7 +1,6 @@
 #include "lstm_planner/drive/decision/arrival.hpp"
 
-#include <iomanip>
-#include <sstream>
+#include "lstm_planner/common/text_table.hpp"
 
 namespace lstm_planner {
 
@@ -18,10 +17,8 @@ Point2 endOfPlan(const Decision& decision, const Point2& goal, const AgentParame
 }
 
 std::string besideGoalText(double distance) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << "stopped " << distance
-       << " m from the goal, which seems to lie in or behind an obstacle (goal_drift)";
-  return text.str();
+  return "stopped " + fixedText(distance, 2) +
+         " m from the goal, which seems to lie in or behind an obstacle (goal_drift)";
 }
 
 }  // namespace lstm_planner

@@ -1,17 +1,14 @@
 #include "lstm_planner/drive/decision/decision_text.hpp"
 
 #include <cmath>
-#include <cstdio>
+
+#include "lstm_planner/common/text_table.hpp"
 
 namespace lstm_planner {
 
 namespace {
 
-std::string metres(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.2f m", value);
-  return text;
-}
+std::string metres(double value) { return fixedText(value, 2) + " m"; }
 
 std::string describeAction(const Decision& decision, const std::string& leader) {
   std::string text = leader + " decided";

@@ -160,13 +160,10 @@ int supervisorMove(const CourseGoal& goal, CellIndex cell, int previous_directio
 }
 
 void validate(const GridDatasetParameters& parameters) {
-  const auto check_positive = [](const char* name, int value) {
-    checkParameter(value > 0, name, value, "a positive number");
-  };
-  check_positive("steps", parameters.steps);
-  check_positive("max_steps", parameters.max_steps);
-  check_positive("stuck_steps", parameters.stuck_steps);
-  check_positive("rescue_steps", parameters.rescue_steps);
+  checkPositive("steps", parameters.steps);
+  checkPositive("max_steps", parameters.max_steps);
+  checkPositive("stuck_steps", parameters.stuck_steps);
+  checkPositive("rescue_steps", parameters.rescue_steps);
   checkParameter(parameters.burn_in_steps >= 0, "burn_in_steps", parameters.burn_in_steps, "zero or more");
   checkParameter(parameters.sequence_steps > parameters.burn_in_steps, "sequence_steps", parameters.sequence_steps,
                  "more than burn_in_steps");

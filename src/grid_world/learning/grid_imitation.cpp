@@ -72,7 +72,7 @@ void validate(const GridImitationParameters& parameters) {
   validate(parameters.trainer);
   visitGridImitationParameters(parameters, RangeCheck());
   checkAtLeastOne("rounds", parameters.rounds);
-  checkParameter(parameters.threads > 0, "threads", parameters.threads, "a positive number");
+  checkPositive("threads", parameters.threads);
 }
 
 std::unique_ptr<ImitationRounds> gridImitation(const GridImitationParameters& parameters, const LayerStack& layers,

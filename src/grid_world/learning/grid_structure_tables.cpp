@@ -16,8 +16,6 @@ constexpr std::array<const char*, 4> kStages = {
     "First stage: the time sequence (thesis Fig. 3.7, which prints no numbers for 128 and 256 steps)",
     "Second stage (thesis Table 3.3)", "Third stage (thesis Table 3.4)", "Fourth stage (thesis Table 3.5)"};
 
-std::string percent(double share) { return fixedText(100.0 * share, 2) + " %"; }
-
 /// Table 3.3 repeats the first stage's structure at its time sequences.
 bool belongsTo(const StructureTrial& trial, int stage) {
   return trial.stage == stage || (stage == 2 && trial.stage == 1 && trial.sequence_steps >= 512);
@@ -50,8 +48,8 @@ void writeTable(const std::vector<StructureOutcome>& outcomes, int stage, std::o
     for (const int time : times) {
       const auto found = find(time);
       const bool printed = found != outcomes.end() && found->trial.thesis_accuracy;
-      cells.push_back(printed ? percent(*found->trial.thesis_accuracy) : "-");
-      cells.push_back(found != outcomes.end() ? percent(found->validation_accuracy) : "-");
+      cells.push_back(printed ? percentText(*found->trial.thesis_accuracy, 2) : "-");
+      cells.push_back(found != outcomes.end() ? percentText(found->validation_accuracy, 2) : "-");
     }
     table.row(cells);
   }

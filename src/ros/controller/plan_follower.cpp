@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
@@ -114,8 +113,8 @@ std::string PlanFollower::whatBlocks(const std::string& why) const {
   };
   const double marked = nearest(marked_);
   if (marked >= nearest(seen_.obstacles) || marked > kNearMark) return why;
-  char text[120];
-  std::snprintf(text, sizeof(text), "an obstacle of the costmap, which the scan does not show, is %.2f m away", marked);
+  const std::string text =
+      "an obstacle of the costmap, which the scan does not show, is " + fixedText(marked, 2) + " m away";
   return why.empty() ? text : why + "; " + text;
 }
 
