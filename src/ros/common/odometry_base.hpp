@@ -1,10 +1,15 @@
 #pragma once
 
 #include <tf2/buffer_core.h>
+#include <tf2/exceptions.h>
 
+#include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include "lstm_planner/common/geometry.hpp"
+#include "lstm_planner/ros/common/conversions.hpp"
+#include "lstm_planner/ros/common/scanner_mounts.hpp"
 
 namespace lstm_planner {
 
@@ -17,7 +22,21 @@ class OdometryBase {
 
   /// The odometry is of this frame; empty: of the base. True if the base is now somewhere else in it. While tf does not
   /// know it the last place counts, at first that of the frame itself.
-  bool setFrame(const std::string& frame);
+  bool setFrame(const std::string& frame) {
+    problem_.clear();
+    is_known_ = frame.empty() || frame == base_frame_;
+    if (is_known_) return place({});
+    try {
+      const Pose2 base = mountFromMessage(tf_.lookupTransform(frame, base_frame_, ros::Time(0)).transform).pose;
+      is_known_ = isFinite(base);
+      return is_known_ && place(base);
+    } catch (const tf2::TransformException&) {
+      return false;
+    } catch (const std::invalid_argument&) {
+      problem_ = frame + " is tilted by more than 15 degrees against " + base_frame_;
+      return false;
+    }
+  }
 
   /// tf connects that frame with the base.
   bool isKnown() const { return is_known_; }
@@ -26,10 +45,19 @@ class OdometryBase {
 
   Pose2 poseOf(const Pose2& odometry) const { return compose(odometry, base_); }
   /// `sideways`: the other component of the odometry's speed, m/s.
-  Twist2 twistOf(const Twist2& odometry, double sideways) const;
+  Twist2 twistOf(const Twist2& odometry, double sideways) const {
+    if (base_.x == 0.0 && base_.y == 0.0 && base_.yaw == 0.0) return odometry;  // and `sideways` may be anything
+    const double ahead = odometry.linear - odometry.angular * base_.y;
+    const double aside = sideways + odometry.angular * base_.x;
+    return {std::cos(base_.yaw) * ahead + std::sin(base_.yaw) * aside, odometry.angular};
+  }
 
  private:
-  bool place(const Pose2& base);
+  bool place(const Pose2& base) {
+    if (!differ(base, base_)) return false;
+    base_ = base;
+    return true;
+  }
 
   const tf2::BufferCore& tf_;
   std::string base_frame_;
