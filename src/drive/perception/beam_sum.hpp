@@ -1,7 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+
+#include "lstm_planner/drive/perception/laser_scan.hpp"
 
 namespace lstm_planner {
 
@@ -14,6 +18,17 @@ struct BeamSum {
 };
 
 /// Of `count` neighbouring beams of a RangeProfile. `cap`: m.
-BeamSum sumOfBeams(const float* ranges, std::size_t count, double cap);
+inline BeamSum sumOfBeams(const float* ranges, std::size_t count, double cap) {
+  BeamSum sum;
+  std::for_each(ranges, ranges + count, [&](float range) {
+    const bool is_silent = range == RangeProfile::kSilent;
+    if (!is_silent && !(range > 0.0f)) return;
+    ++sum.known;
+    sum.measured += !is_silent && std::isfinite(range) ? 1 : 0;
+    sum.range += is_silent ? cap : std::min<double>(range, cap);
+    if (!is_silent) sum.nearest = std::min(sum.nearest, range);
+  });
+  return sum;
+}
 
 }  // namespace lstm_planner

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "lstm_planner/drive/perception/beam_finder.hpp"
@@ -12,7 +13,18 @@ namespace lstm_planner {
 class ScanClearing {
  public:
   /// Replaces the scan.
-  void show(const RangeProfile& profile, double yaw);
+  void show(const RangeProfile& profile, double yaw) {
+    finder_ = BeamFinder(profile, yaw);
+    const auto beams = static_cast<std::ptrdiff_t>(profile.ranges.size());
+    limits_.resize(profile.ranges.size());
+    for (std::ptrdiff_t beam = 0; beam < beams; ++beam) {
+      const auto first = profile.ranges.begin() + std::max<std::ptrdiff_t>(0, beam - kBeside);
+      const auto last = profile.ranges.begin() + std::min(beams, beam + kBeside + 1);
+      const float nearest = std::min(*std::min_element(first, last), profile.farthestRange());
+      const float before = std::max(nearest - kBehindObstacle, 0.0f);
+      limits_[static_cast<std::size_t>(beam)] = before * before;
+    }
+  }
 
   /// Nothing is cleared by a scan without beams.
   bool isBlind() const { return finder_.beams() == 0; }
@@ -23,6 +35,10 @@ class ScanClearing {
   }
 
  private:
+  /// Noise, and beams that graze a wall, must not make it seem cleared.
+  static constexpr float kBehindObstacle = 0.1f;
+  static constexpr std::ptrdiff_t kBeside = 2;
+
   BeamFinder finder_;
   std::vector<float> limits_;  ///< m^2; a beam each: farther places are not cleared
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -12,7 +13,18 @@ namespace lstm_planner {
 class BeamDirections {
  public:
   /// The beams at `first` + i * `increment` (rad); what is there already is kept.
-  void set(double first, double increment, std::size_t beams);
+  void set(double first, double increment, std::size_t beams) {
+    if (first == first_ && increment == increment_ && beams == vectors_.size()) {
+      return;
+    }
+    first_ = first;
+    increment_ = increment;
+    vectors_.resize(beams);
+    for (std::size_t i = 0; i < beams; ++i) {
+      const double direction = first + static_cast<double>(i) * increment;
+      vectors_[i] = {std::cos(direction), std::sin(direction)};
+    }
+  }
 
   const Point2& operator[](std::size_t beam) const { return vectors_[beam]; }
 

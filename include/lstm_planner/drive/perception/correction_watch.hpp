@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "lstm_planner/common/geometry.hpp"
@@ -16,7 +17,14 @@ class CorrectionWatch {
 
   /// `odometry_frame`: as a pose in the corrected frame, now. `odometry`: the robot's pose in it. Returns by how many
   /// metres the robot was moved in the corrected frame because the correction changed since the last call.
-  double note(const Pose2& odometry_frame, const Pose2& odometry);
+  double note(const Pose2& odometry_frame, const Pose2& odometry) {
+    const Pose2 before = odometry_frame_.value_or(odometry_frame);
+    odometry_frame_ = odometry_frame;
+    const double moved = distanceBetween(compose(before, odometry), compose(odometry_frame, odometry));
+    const double turned = std::abs(normalizeAngle(odometry_frame.yaw - before.yaw));
+    if (moved > kFarthest || turned > kMostTurned) ++jumps_;
+    return moved;
+  }
 
   /// Number of jumps so far.
   long jumps() const { return jumps_; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lstm_planner/grid_world/agent/grid_agent.hpp"
+#include "lstm_planner/grid_world/search/exact_octile.hpp"
 
 namespace lstm_planner {
 
@@ -14,7 +15,19 @@ class GreedyAgent : public GridAgent {
   void start(CellIndex start, CellIndex goal) override { observation_ = {start, goal, {}}; }
   void observe(const GridObservation& observation) override { observation_ = observation; }
   /// kNoPath when no move is possible.
-  int decide() override;
+  int decide() override {
+    int best = kNoPath;
+    OctileDistance best_distance;
+    for (int direction = 0; direction < kGridMoveCount; ++direction) {
+      if (!movePossible(observation_.ranges, direction, corner_cutting_)) continue;
+      const OctileDistance distance = octileDistance(cellBeside(observation_.cell, direction), observation_.goal);
+      if (best == kNoPath || distance < best_distance) {
+        best = direction;
+        best_distance = distance;
+      }
+    }
+    return best;
+  }
   GridLeader leader() const override { return GridLeader::kGreedy; }
   std::size_t peakBytes() const override { return sizeof(*this); }
 
