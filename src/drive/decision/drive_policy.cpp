@@ -42,6 +42,7 @@ void writeMetadata(const PolicyDescription& description, std::map<std::string, s
   (*metadata)["action_angles"] = angles;
   (*metadata)["step_length"] = metadataText(description.step_length);
   (*metadata)["robot_radius"] = metadataText(description.footprint_radius);
+  for (const char* only_sometimes : {kSmallest, kLargest}) metadata->erase(only_sometimes);
   if (description.smallest_radius > 0.0) (*metadata)[kSmallest] = metadataText(description.smallest_radius);
   if (description.largest_radius > 0.0) (*metadata)[kLargest] = metadataText(description.largest_radius);
 }

@@ -106,6 +106,7 @@ void writeMetadata(const EncoderParameters& parameters, std::map<std::string, st
   (*metadata)["angle_scale"] = metadataText(parameters.angle_scale);
   (*metadata)["action_scale"] = metadataText(parameters.action_scale);
   (*metadata)["position_cell"] = metadataText(parameters.position_cell);
+  for (const char* only_sometimes : {"heading_cell", "event_range", "views"}) metadata->erase(only_sometimes);
   if (parameters.heading_cell > 0.0) (*metadata)["heading_cell"] = metadataText(parameters.heading_cell);
   if (hasEvents(parameters.input_layout)) (*metadata)["event_range"] = metadataText(parameters.event_range);
   if (parameters.views != 1) (*metadata)["views"] = std::to_string(parameters.views);

@@ -76,6 +76,18 @@ TEST_F(ModelTool, KeepsWhatTheModelSaysUnlessAnOptionSaysOtherwise) {
   EXPECT_EQ(description.smallest_radius, 0.1);
 }
 
+TEST_F(ModelTool, ForgetsWhatAnOptionSwitchesOff) {
+  expectSays("model convert " + kExported + " --output " + in("own.onnx") + " --heading-cell 0.25 --smallest-robot 0.1",
+             0, "heading_cell     0.25");
+  expectSays("model convert " + in("own.onnx") + " --output " + in("own.onnx") + " --heading-cell 0 --smallest-robot 0",
+             0, "for      the robot");
+  const PolicyDescription description = DrivePolicy::fromFile(in("own.onnx")).description();
+  EXPECT_EQ(description.encoder.heading_cell, 0.0);
+  EXPECT_EQ(description.smallest_radius, 0.0);
+  expectSays("model convert " LSTM_PLANNER_SOURCE_DIR "/models/create2_lstm.onnx --views 1 --output " + in("own.onnx"),
+             2, "the network has 1 outputs, its action set has 5");
+}
+
 TEST_F(ModelTool, RefusesWhatDoesNotFitAndWritesNothing) {
   expectSays("model convert " + kExported + " --output " + in("own.onnx") + " --actions -90 0 90", 2,
              "the network has 5 outputs, its action set has 3");
