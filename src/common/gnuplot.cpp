@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <stdexcept>
 
 #include "lstm_planner/common/output_file.hpp"
@@ -38,7 +39,11 @@ int runCommand(const std::string& command, std::string& output) {
 
 std::string quotedForGnuplot(const std::string& text) { return "'" + replaceAll(text, '\'', "''") + "'"; }
 
-std::string csvPathBeside(const std::string& png_path) { return png_path.substr(0, png_path.rfind('.')) + ".csv"; }
+std::string csvPathBeside(const std::string& png_path) {
+  std::filesystem::path path(png_path);
+  if (path.extension() == ".csv") return png_path + ".csv";  // the picture's own name, which somebody chose
+  return path.replace_extension(".csv").string();
+}
 
 void runGnuplot(const std::string& what, const std::string& png_path, const std::string& csv_path,
                 const std::string& size, const std::string& script) {
