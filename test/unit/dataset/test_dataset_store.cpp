@@ -1,8 +1,10 @@
 // Dataset files: what is written comes back, and what is none is refused with a sentence.
 
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstring>
 #include <fstream>
 
@@ -177,6 +179,22 @@ TEST_F(DatasetStore, WritesNoDatasetThatCouldNotBeReadAgain) {
   dataset.recordings[0].episodes[0].steps[1].observation.goal_distance = 1.0 / 0.0;
   const std::string sentence = test::refusalOf<DatasetError>([&] { writeDataset(in("a.db"), dataset); });
   EXPECT_NE(sentence.find("its goal_distance is inf, expected a number"), std::string::npos) << sentence;
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+TEST_F(DatasetStore, NamesTheFileThatWasAskedForWhereTheDiskIsFull) {
+  Dataset dataset;
+  dataset.recordings = {exampleRecording(20, 1)};
+  const auto none = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  rlimit little = before;
+  little.rlim_cur = 1 << 15;
+  ::setrlimit(RLIMIT_FSIZE, &little);
+  const std::string sentence = test::refusalOf<DatasetError>([&] { writeDataset(in("a.db"), dataset); });
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, none);
+  EXPECT_EQ(sentence.rfind("dataset '" + in("a.db") + "' cannot be written: ", 0), 0u) << sentence;
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
