@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lstm_planner/common/parallel_for.hpp"
+#include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/practice/step_simulator.hpp"
 
 namespace lstm_planner {
@@ -32,6 +33,7 @@ std::vector<JudgedDrive> judgeEach(const DrivePolicy& policy, const AgentParamet
   });
   std::vector<JudgedDrive> all;
   for (const std::vector<JudgedDrive>& some : by_world) all.insert(all.end(), some.begin(), some.end());
+  checkParameter(!all.empty(), "shortest", course.shortest, "at most as much as the paths in the worlds to judge in");
   return all;
 }
 

@@ -27,6 +27,7 @@ struct JudgedDrive {
 };
 
 /// Drives in so many worlds of a use, four drives in each, under random conditions. The same for any number of threads.
+/// Throws std::invalid_argument if no path is long enough.
 std::vector<JudgedDrive> judgeEach(const DrivePolicy& policy, const AgentParameters& agent,
                                    const DriveCourseParameters& course, WorldUse use, int worlds, int max_steps,
                                    std::uint64_t seed, int threads);

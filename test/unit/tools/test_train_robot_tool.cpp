@@ -49,6 +49,12 @@ TEST_F(TrainRobotTool, TheIntervalOfAShareOfNothingStartsAtZero) {
   EXPECT_NE(judged.output.find("0.0 %  [0.0, 32.4]"), std::string::npos) << judged.output;
 }
 
+TEST_F(TrainRobotTool, WorldsWithoutAPathOfTheLengthWantedAreNotJudgedIn) {
+  const test::Outcome outcome = runTool("judge --leader none --kinds open --worlds 1 --shortest 200");
+  EXPECT_EQ(outcome.status, 2) << outcome.output;
+  EXPECT_NE(outcome.output.find("parameter shortest is 200, expected at most"), std::string::npos) << outcome.output;
+}
+
 TEST_F(TrainRobotTool, WhatCannotBeWrittenIsSaidBeforeAnythingIsLearned) {
   for (const char* method : {"dagger", "actor-critic"}) {
     for (const std::string& output : {std::string("/no_such_folder/own.onnx"), folder_}) {
