@@ -130,7 +130,10 @@ void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrain
   line->addOutput("curve", &o.curve, "PNG file for the learning curve; a CSV file is written beside it");
   line->addOutput("checkpoint", &o.loop.checkpoint, "checkpoint file: is written, and continued from if it exists");
   line->add("validation", &o.validation, {1, 1e6}, "scenarios of each set, to judge the network");
-  line->whenParsed([options] { makeNetwork(kGridInputs, options->shape, kGridMoveCount); });  // throws
+  line->whenParsed([options, line] {
+    if (!options->from.empty()) checkModelDecides(*line, "--from");
+    makeNetwork(kGridInputs, options->shape, kGridMoveCount);  // throws
+  });
 }
 
 LayerStack firstLayers(const GridTrainingOptions& options) {

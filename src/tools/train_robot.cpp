@@ -98,11 +98,7 @@ void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* enc
 }
 
 void checkModelDecides(const CommandLine& line) {
-  for (const char* decided : {"inputs", "event-range", "position-cell", "heading-cell", "views", "network", "cells",
-                              "deep-in", "deep-out", "activation", "candidate"}) {
-    if (line.given(decided))
-      throw std::invalid_argument(std::string("--") + decided + " is determined by the model of --init");
-  }
+  checkModelDecides(line, "--init", {"inputs", "event-range", "position-cell", "heading-cell", "views"});
 }
 
 void finishRobotNetworkOptions(const RobotNetworkOptions& options, EncoderParameters* encoder) {
@@ -134,7 +130,11 @@ LayerStack firstLayers(const std::string& init, const NetworkShape& shape, std::
                        PolicyDescription* policy) {
   if (!init.empty()) {
     Model model = readModelFile(init);
-    *policy = readPolicyDescription(model.metadata);
+    try {
+      *policy = readPolicyDescription(model.metadata);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("--init " + init + ": " + error.what());
+    }
     return std::move(model.layers);
   }
   const int inputs = static_cast<int>(policy->encoder.input_layout.size());

@@ -1,7 +1,9 @@
 #include "tools/training.hpp"
 
 #include <iostream>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "tools/command_line.hpp"
 
@@ -53,6 +55,14 @@ void addShapeOptions(NetworkShape* shape, const std::vector<int>& mlp_units, Com
   line->whenParsed([=] {
     if (shape->kind == NetworkShape::Kind::kMlp && !line->given("cells")) shape->cells = mlp_units;
   });
+}
+
+void checkModelDecides(const CommandLine& line, const std::string& from, std::vector<std::string> decided) {
+  decided.insert(decided.end(), {"network", "cells", "deep-in", "deep-out", "activation", "candidate"});
+  for (const std::string& option : decided) {
+    if (!line.given(option)) continue;
+    throw std::invalid_argument("--" + option + " is determined by the model of " + from);
+  }
 }
 
 void addLossOption(Loss* loss, CommandLine* line) {

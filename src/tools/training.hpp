@@ -49,6 +49,9 @@ std::string positionOf(const ImitationRounds& rounds);
 /// Layers, and the thesis's alternatives inside a layer. `mlp_units`: of each layer of a perceptron, where nothing else
 /// is said.
 void addShapeOptions(NetworkShape* shape, const std::vector<int>& mlp_units, CommandLine* line);
+/// Throws std::invalid_argument where one of these options, or another of `decided`, was given beside the option `from`
+/// of a model, which decides them.
+void checkModelDecides(const CommandLine& line, const std::string& from, std::vector<std::string> decided = {});
 void addLossOption(Loss* loss, CommandLine* line);
 
 }  // namespace lstm_planner

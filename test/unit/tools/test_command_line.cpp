@@ -157,6 +157,14 @@ TEST_F(CommandLineTool, RefusesWhatHasNoMeaning) {
   EXPECT_TRUE(contains(complaint("dataset export a.db"), "--output is required"));
 }
 
+TEST_F(CommandLineTool, RefusesANetworksShapeBesideTheModelThatDecidesIt) {
+  const std::string model = LSTM_PLANNER_SOURCE_DIR "/models/grid_lstm_2x8.onnx";
+  EXPECT_TRUE(contains(complaint("train --task grid --method imitation --map-size 32 --max-length 40 --goals 6 "
+                                 "--steps 50 --epochs 1 --validation 3 --cells 4 --from " +
+                                 model + " --output " + in("own.onnx")),
+                       "--cells is determined by the model of --from\n"));
+}
+
 TEST_F(CommandLineTool, EveryNumberHasARange) {
   EXPECT_TRUE(contains(complaint("drive --walkers 1001"), "--walkers is 1001, expected a whole number in [0, 1000]"));
   EXPECT_TRUE(contains(complaint("drive --walkers 1.5"), "--walkers is 1.5, expected a whole number in [0, 1000]"));

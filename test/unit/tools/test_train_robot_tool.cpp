@@ -55,6 +55,13 @@ TEST_F(TrainRobotTool, WorldsWithoutAPathOfTheLengthWantedAreNotJudgedIn) {
   EXPECT_NE(outcome.output.find("parameter shortest is 200, expected at most"), std::string::npos) << outcome.output;
 }
 
+TEST_F(TrainRobotTool, AModelThatIsNoneOfTheRobotsIsNamed) {
+  const std::string model = LSTM_PLANNER_SOURCE_DIR "/models/grid_lstm_2x8.onnx";
+  const test::Outcome outcome = runTool("train --method actor-critic --init " + model + " --output " + in("own.onnx"));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.output.find("--init " + model + ": the metadata lack "), std::string::npos) << outcome.output;
+}
+
 TEST_F(TrainRobotTool, WhatCannotBeWrittenIsSaidBeforeAnythingIsLearned) {
   for (const char* method : {"dagger", "actor-critic"}) {
     for (const std::string& output : {std::string("/no_such_folder/own.onnx"), folder_}) {
