@@ -122,6 +122,11 @@ void take(const CLI::Option& parsed, Option* option) {
   for (const std::string& value : parsed.results()) {
     if (option->value_name.empty() && value != "true") throw std::invalid_argument(option->name + " takes no value");
   }
+  // As of a variable of the shell that is not set.
+  const bool is_file = option->value_name.compare(0, 4, "FILE") == 0;
+  if ((is_file || option->value_name == "FOLDER") && contains(parsed.results(), "")) {
+    throw std::invalid_argument(option->name + " is '', expected the name of a " + (is_file ? "file" : "folder"));
+  }
   if (option->is_given) option->take(parsed.results());
 }
 

@@ -157,6 +157,13 @@ TEST_F(CommandLineTool, RefusesWhatHasNoMeaning) {
   EXPECT_TRUE(contains(complaint("dataset export a.db"), "--output is required"));
 }
 
+TEST_F(CommandLineTool, RefusesFilesWithoutAName) {
+  EXPECT_TRUE(contains(complaint("maps --output ''"), "--output is '', expected the name of a file\n"));
+  EXPECT_TRUE(contains(complaint("drive --map a.yaml ''"), "--map is '', expected the name of a file"));
+  EXPECT_TRUE(contains(complaint("drive --pictures '' --worlds open --goals 1 --time-limit 1"),
+                       "--pictures is '', expected the name of a folder"));
+}
+
 TEST_F(CommandLineTool, RefusesANetworksShapeBesideTheModelThatDecidesIt) {
   const std::string model = LSTM_PLANNER_SOURCE_DIR "/models/grid_lstm_2x8.onnx";
   EXPECT_TRUE(contains(complaint("train --task grid --method imitation --map-size 32 --max-length 40 --goals 6 "
