@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <iostream>
 #include <system_error>
 
 namespace lstm_planner {
@@ -56,6 +57,13 @@ bool isSpecial(const std::string& path) {
   return fs::exists(path, unknown) && !fs::is_regular_file(path, unknown) && !fs::is_directory(path, unknown);
 }
 
+/// Opened by its name, what the shell has put there would be written from the start again, over all else that is
+/// printed.
+std::ostream* standardStream(const std::string& path) {
+  if (path == "/dev/stdout") return &std::cout;
+  return path == "/dev/stderr" ? &std::cerr : nullptr;
+}
+
 std::string folderOf(const std::string& path) {
   const std::string folder = fs::path(path).parent_path().string();
   return folder.empty() ? "." : folder;
@@ -64,7 +72,7 @@ std::string folderOf(const std::string& path) {
 }  // namespace
 
 OutputFile::OutputFile(const std::string& path, Existing existing)
-    : path_(targetOf(path)), existing_(existing), is_direct_(isSpecial(path)) {
+    : path_(targetOf(path)), existing_(existing), is_direct_(isSpecial(path) || standardStream(path) != nullptr) {
   static std::atomic<int> count{0};
   part_path_ = is_direct_ ? path : path_ + ".part-" + std::to_string(::getpid()) + "-" + std::to_string(++count);
   journal_path_ = part_path_ + "-journal";  // SQLite's
@@ -83,6 +91,7 @@ OutputFile::~OutputFile() {
 }
 
 std::ostream& OutputFile::stream() {
+  if (std::ostream* const standard = standardStream(part_path_)) return *standard;
   if (stream_.is_open()) return stream_;
   stream_.open(part_path_, std::ios::binary | std::ios::trunc);
   if (!stream_) failWith(errno);
@@ -90,6 +99,8 @@ std::ostream& OutputFile::stream() {
 }
 
 void OutputFile::commit() {
+  std::ostream* const standard = standardStream(part_path_);
+  if (standard != nullptr && !standard->flush()) failWith(EIO);
   if (stream_.is_open()) {
     stream_.close();
     if (!stream_) failWith(reasonOf(part_path_));

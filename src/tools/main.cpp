@@ -3,6 +3,7 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -35,9 +36,9 @@ const std::vector<Command>& commands() {
 int fail(const std::string& sentence) {
   const Communicator& all = *ranks();
   if (!isFirstRank()) std::this_thread::sleep_for(std::chrono::seconds(10));
-  std::cerr << "lstm_planner" << sentence;
-  if (!isFirstRank()) std::cerr << " (rank " << all.rank() << " of " << all.size() << ")";
-  std::cerr << std::endl;
+  const std::string rank =
+      isFirstRank() ? "" : " (rank " + std::to_string(all.rank()) + " of " + std::to_string(all.size()) + ")";
+  std::cerr << "lstm_planner" + sentence + rank + "\n";  // at once, or a launcher puts its own lines in between
   if (all.size() > 1) endAllRanks(2);
   return 2;
 }
@@ -52,7 +53,10 @@ void endBySignal(int signal) {
 int run(const Command& command, const std::vector<std::string>& arguments) {
   if (!command.shared) requireOneRank("this command");
   if (!isFirstRank()) std::cout.rdbuf(nullptr);
-  return command.run(arguments);
+  const int status = command.run(arguments);
+  if (isFirstRank() && !std::cout.flush())
+    throw std::runtime_error("standard output cannot be written; not all that was found is there");
+  return status;
 }
 
 int runTool(const std::vector<std::string>& arguments) {

@@ -14,9 +14,13 @@
 namespace lstm_planner {
 
 void checkWritable(const std::string& path) {
+  namespace fs = std::filesystem;
   if (!isFirstRank()) return;
   try {
-    if (std::filesystem::is_directory(path)) throw OutputFileError("it is a folder");
+    const fs::file_status status = fs::status(path);
+    if (fs::is_directory(status)) throw OutputFileError("it is a folder");
+    // Whoever reads a pipe takes its closing for the end, and nobody would read what is written later.
+    if (fs::is_fifo(status)) return;
     OutputFile(path).stream();
   } catch (const OutputFileError& error) {
     throw std::invalid_argument("cannot write '" + path + "': " + error.what());

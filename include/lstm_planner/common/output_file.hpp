@@ -15,7 +15,7 @@ class OutputFileError : public std::runtime_error {
 
 /// Writes a file that appears complete or not at all, also after a power failure: it is written under another name in
 /// the same folder, synced to the disk and renamed. If the path is not a regular file (such as /dev/stdout), it is
-/// written directly.
+/// written directly, and /dev/stdout through std::cout: a file to which the shell has sent it is not replaced.
 class OutputFile {
  public:
   enum class Existing { kReplace, kRefuse };

@@ -172,6 +172,29 @@ TEST_F(CommandLineTool, RefusesANetworksShapeBesideTheModelThatDecidesIt) {
                        "--cells is determined by the model of --from\n"));
 }
 
+TEST_F(CommandLineTool, FailsWhereWhatItPrintsIsLost) {
+  const test::Outcome outcome = test::runShell(std::string(kTool) + " parameters > /dev/full");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_TRUE(contains(outcome.output, "standard output cannot be written")) << outcome.output;
+}
+
+TEST_F(CommandLineTool, WritesToStandardOutputBehindWhatIsThere) {
+  const test::Outcome outcome =
+      runIn("drive", "echo before > all.txt; " + std::string(kTool) +
+                         " drive --leader route --worlds open --goals 1 --time-limit 1 --json /dev/stdout >> all.txt");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  const std::string all = bytesOf("drive/all.txt");
+  for (const char* part : {"before\n", "\nworld ", "\n  \"goals\": 1,\n"}) EXPECT_TRUE(contains(all, part)) << all;
+}
+
+TEST_F(CommandLineTool, WritesIntoAPipeAsLongAsItsReaderIsThere) {
+  const test::Outcome outcome =
+      runIn("drive", "mkfifo pipe; cat pipe > result.json & timeout 60 " + std::string(kTool) +
+                         " drive --leader route --worlds open --goals 1 --time-limit 1 --json pipe && wait");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_TRUE(contains(bytesOf("drive/result.json"), "\"goals\": 1,"));
+}
+
 TEST_F(CommandLineTool, EveryNumberHasARange) {
   EXPECT_TRUE(contains(complaint("drive --walkers 1001"), "--walkers is 1001, expected a whole number in [0, 1000]"));
   EXPECT_TRUE(contains(complaint("drive --walkers 1.5"), "--walkers is 1.5, expected a whole number in [0, 1000]"));
