@@ -44,9 +44,9 @@ void addGridOptions(GridOptions* options, CommandLine* line) {
       .required();
   line->addChoice("maps", &selection.maps, kMapSelections,
                   "train (maps 0-5 of a set, or the first half of more than 20 maps), validation (the others) or all");
-  line->add("min-length", &selection.min_length, kAnyLength, "cells; smallest length of the shortest path");
-  line->add("max-length", &selection.max_length, kAnyLength,
-            "cells; largest length of the shortest path (default: no limit)");
+  line->add("min-length", &selection.min_length, kAnyLength,
+            "cells; smallest length of the shortest path, as the scenario says: without corner cutting");
+  line->add("max-length", &selection.max_length, kAnyLength, "cells; largest length of it (default: no limit)");
   line->add("count", &selection.count, {0, 1e9}, "scenarios of each set; 0 = all");
   line->addSeed(&selection.seed, "seed of the random choice of scenarios");
   line->add("max-steps", &rules.max_steps, {0, 1e12},
@@ -86,9 +86,18 @@ void addGridOptions(GridOptions* options, CommandLine* line) {
 std::vector<GridTaskSet> drawGridTaskSets(const GridOptions& options) {
   std::vector<GridTaskSet> sets;
   for (const std::string& folder : options.folders) {
-    for (const GridSetFiles& files : findGridSets(folder)) sets.push_back(drawGridTasks(files, options.selection));
+    for (const GridSetFiles& files : findGridSets(folder)) {
+      sets.push_back(drawTasksOfSet(files, options.selection, options.evaluation));
+    }
   }
   return sets;
+}
+
+GridTaskSet drawTasksOfSet(const GridSetFiles& files, const ScenarioSelection& selection,
+                           const GridEvaluationOptions& evaluation) {
+  GridTaskSet set = drawGridTasks(files, selection);
+  if (evaluation.rules.corner_cutting == CornerCutting::kAllowed) allowCornerCutting(&set, evaluation.threads);
+  return set;
 }
 
 }  // namespace lstm_planner

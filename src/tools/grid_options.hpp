@@ -30,4 +30,8 @@ void addGridOptions(GridOptions* options, CommandLine* line);
 /// All sets of the folders. Reads the scenarios and maps, so that bad ones are found before a long run.
 std::vector<GridTaskSet> drawGridTaskSets(const GridOptions& options);
 
+/// The tasks of one set, with the optimal lengths by the rules of the episodes.
+GridTaskSet drawTasksOfSet(const GridSetFiles& files, const ScenarioSelection& selection,
+                           const GridEvaluationOptions& evaluation);
+
 }  // namespace lstm_planner

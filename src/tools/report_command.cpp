@@ -1,3 +1,4 @@
+#include <cmath>
 #include <iostream>
 #include <optional>
 #include <sstream>
@@ -38,11 +39,14 @@ bool readOptions(const std::vector<std::string>& arguments, ReportOptions* optio
 
 std::string rulesText(const GridOptions& options) {
   const GridEpisodeRules& rules = options.evaluation.rules;
+  const ScenarioSelection& selection = options.selection;
   std::ostringstream text;
-  text << "Scenarios of " << nameOf(options.selection.maps, kMapSelections) << " maps with paths of "
-       << options.selection.min_length << " to " << options.selection.max_length << " cells, drawn with seed "
-       << options.selection.seed << "; " << (rules.max_steps > 0 ? std::to_string(rules.max_steps) : "unlimited")
-       << " steps, corner cutting " << (rules.corner_cutting == CornerCutting::kAllowed ? "allowed" : "forbidden")
+  text << "Scenarios of " << nameOf(selection.maps, kMapSelections) << " maps with paths of "
+       << (std::isfinite(selection.max_length) ? "" : "at least ") << selection.min_length;
+  if (std::isfinite(selection.max_length)) text << " to " << selection.max_length;
+  text << " cells, drawn with seed " << selection.seed << "; "
+       << (rules.max_steps > 0 ? std::to_string(rules.max_steps) : "unlimited") << " steps, corner cutting "
+       << (rules.corner_cutting == CornerCutting::kAllowed ? "allowed" : "forbidden")
        << ", arrival within one cell. Averages are over the arrivals. Times are processor times and depend on the "
           "machine. The thesis's rows are as printed: 50 scenarios of at most 300 steps, corner cutting allowed.";
   return text.str();
@@ -56,7 +60,7 @@ std::optional<GridTaskSet> trainingTasks(const GridOptions& options) {
   selection.count = kCandidates;
   const GridSetFiles files = findGridSets(options.folders.front()).front();
   if (selectMaps(files, MapSelection::kTrain).empty()) return std::nullopt;
-  return drawGridTasks(files, selection);
+  return drawTasksOfSet(files, selection, options.evaluation);
 }
 
 }  // namespace

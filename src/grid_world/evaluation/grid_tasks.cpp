@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "grid_world/search/a_star.hpp"
+#include "lstm_planner/common/parallel_for.hpp"
 #include "lstm_planner/common/random.hpp"
 
 namespace lstm_planner {
@@ -276,6 +278,16 @@ GridTaskSet drawGridTasks(const GridSetFiles& files, const ScenarioSelection& se
   set.with_blocked_end = left_out.with_blocked_end;
   addTasks(drawn, &maps, &set);
   return set;
+}
+
+void allowCornerCutting(GridTaskSet* set, int threads) {
+  AStarParameters parameters;
+  parameters.corner_cutting = CornerCutting::kAllowed;
+  parallelFor(static_cast<int>(set->tasks.size()), threads, [&](int index, int) {
+    GridTask& task = set->tasks[static_cast<std::size_t>(index)];
+    const GridPath path = AStar(set->maps[task.map], parameters).find(task.start, task.goal).path;
+    if (path.found()) task.optimal_length = path.length();
+  });
 }
 
 }  // namespace lstm_planner

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "lstm_planner/grid/map_server_map.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
@@ -52,6 +53,16 @@ TEST_F(MapsTool, AFolderWhoseNameIsNoUtf8IsJudgedInLikeAnother) {
   EXPECT_NE(bytesOf("result.json").find("\"name\": \"pi\xef\xbf\xbdge\""), std::string::npos);
 }
 
+TEST_F(MapsTool, EvaluateHasTheOptimumOfItsRules) {
+  success("maps --kind maze --corridor-width 4 --columns 48 --rows 48 --name it --output " + in("mazes"));
+  const std::string evaluate = "evaluate --agent astar --count 50 --scenarios " + in("mazes");
+  const auto ratioOf = [&](const std::string& rules) {
+    success(evaluate + rules + " --json " + in("result.json"));
+    return nlohmann::json::parse(bytesOf("result.json"))["sets"][0]["mean_ratio"].get<double>();
+  };
+  EXPECT_NEAR(ratioOf(" --corner-cutting"), ratioOf(""), 0.01) << "A* walks the optimum but for its last cell";
+}
+
 TEST_F(MapsTool, AnUnknownKindIsRefused) {
   const test::Outcome outcome = runTool("maps --kind jungle --output " + in("jungle"));
   EXPECT_EQ(outcome.status, 2);
@@ -89,6 +100,7 @@ TEST_F(MapsTool, ReportComparesAgentsInTablesAndPictures) {
   const std::string report = bytesOf("report/report.md");
   for (const char* agent : {"A*", "D*", "boundary", "LSTM"}) EXPECT_NE(report.find(agent), std::string::npos) << agent;
   EXPECT_NE(report.find("| A* | 100.0 % |"), std::string::npos) << report;
+  EXPECT_NE(report.find("paths of at least 0 cells"), std::string::npos) << report;
   int pictures = 0;
   for (const auto& entry : fs::directory_iterator(in("report"))) {
     if (entry.path().extension() != ".png") continue;

@@ -52,7 +52,7 @@ struct GridTask {
   std::size_t map = 0;  ///< place in GridTaskSet::maps
   CellIndex start;
   CellIndex goal;
-  double optimal_length = 0.0;  ///< cells, without corner cutting
+  double optimal_length = 0.0;  ///< cells, without corner cutting; see allowCornerCutting()
 };
 
 /// The tasks on which an agent is judged in one set.
@@ -73,5 +73,9 @@ struct GridTaskSet {
 /// scenarios that are drawn. Throws MovingAiFileError for files that cannot be used, and std::invalid_argument if no
 /// scenario is left.
 GridTaskSet drawGridTasks(const GridSetFiles& files, const ScenarioSelection& selection);
+
+/// For agents that may cut corners: the optimal lengths become those with corner cutting, which the files do not have.
+/// A task without a path keeps its own.
+void allowCornerCutting(GridTaskSet* set, int threads);
 
 }  // namespace lstm_planner

@@ -158,6 +158,18 @@ TEST_F(GridTasks, TakesLengthsWithinTheLimitsInclusive) {
   EXPECT_THROW(drawGridTasks(files(), selection), std::invalid_argument);
 }
 
+TEST_F(GridTasks, HasTheOptimaOfAgentsThatMayCutCorners) {
+  scratch_.write("Rows/Maps/row-0.map", "type octile\nheight 2\nwidth 4\nmap\n.@.@\n..@.\n");
+  const auto from_start = [](int column, double length) {
+    return Scenario{0, "row-0.map", 4, 2, {0, 0}, {column, 1}, length};
+  };
+  writeScenarios((rows_ / "Scenarios" / "row-0.map.scen").string(), {from_start(1, 2.0), from_start(3, 7.0)});
+  GridTaskSet set = drawGridTasks(files(), {});
+  allowCornerCutting(&set, 2);
+  EXPECT_DOUBLE_EQ(set.tasks.at(0).optimal_length, moveLength(1));
+  EXPECT_DOUBLE_EQ(set.tasks.at(1).optimal_length, 3.0 * moveLength(1)) << "between two corners, too";
+}
+
 TEST_F(GridTasks, DrawsTheSameForTheSameSeedAndNothingTwice) {
   addMaps(0, 3);
   ScenarioSelection selection;
