@@ -125,7 +125,6 @@ int runEvaluate(const std::vector<std::string>& arguments) {
     const std::vector<GridEpisode>& episodes = comparison.episodes[i].front();
     summaries.push_back(summarizeGridEpisodes(set.name, episodes));
     writeDetails(set, episodes, &csv);
-    if (!options.pictures.empty()) drawSome(options, set, episodes, make_agent);
   }
   printGridSummaries(std::cout, summaries);
   for (const GridTaskSet& set : comparison.sets) {
@@ -134,6 +133,10 @@ int runEvaluate(const std::vector<std::string>& arguments) {
   }
   if (!options.json.empty()) writeJson(options, summaries);
   if (!options.details.empty()) writeTextFile(options.details, details.str());
+  if (options.pictures.empty()) return 0;
+  for (std::size_t i = 0; i < comparison.sets.size(); ++i) {
+    drawSome(options, comparison.sets[i], comparison.episodes[i].front(), make_agent);
+  }
   return 0;
 }
 

@@ -82,10 +82,11 @@ int runReport(const std::vector<std::string>& arguments) {
   std::ostringstream report;
   report << "# Agents of the grid world\n\n" << rulesText(options.grid) << "\n\n";
   report << reportTables(comparison);
+  std::cout << reportTables(comparison) << std::flush;
   writeTextFile(options.output + "/tables.csv", reportCsv(comparison));
   writeFigures(comparison, trainingTasks(options.grid), options.grid.evaluation, options.output, report);
   writeTextFile(options.output + "/report.md", report.str());
-  std::cout << reportTables(comparison) << "wrote " << options.output << "/report.md\n";
+  std::cout << "wrote " << options.output << "/report.md\n";
   return 0;
 }
 

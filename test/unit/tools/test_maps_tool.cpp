@@ -53,6 +53,17 @@ TEST_F(MapsTool, AFolderWhoseNameIsNoUtf8IsJudgedInLikeAnother) {
   EXPECT_NE(bytesOf("result.json").find("\"name\": \"pi\xef\xbf\xbdge\""), std::string::npos);
 }
 
+TEST_F(MapsTool, EvaluateSaysAndWritesItsResultBeforeItDraws) {
+  success("maps --kind maze --corridor-width 4 --columns 48 --rows 48 --name it --output " + in("mazes"));
+  // No file may be longer than 2 blocks, which is too little for a picture.
+  const test::Outcome outcome =
+      runIn("results", "trap '' XFSZ; ulimit -f 2; " + std::string(kTool) + " evaluate --agent astar --scenarios " +
+                           in("mazes") + " --count 20 --json result.json --pictures pictures");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.output.find("  100.00%"), std::string::npos) << outcome.output;
+  EXPECT_NE(bytesOf("results/result.json").find("\"success\": 1.0"), std::string::npos);
+}
+
 TEST_F(MapsTool, EvaluateHasTheOptimumOfItsRules) {
   success("maps --kind maze --corridor-width 4 --columns 48 --rows 48 --name it --output " + in("mazes"));
   const std::string evaluate = "evaluate --agent astar --count 50 --scenarios " + in("mazes");
