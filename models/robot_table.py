@@ -112,7 +112,8 @@ def print_table(results):
             share, half = interval(results[name][kind]["arrived"], results[name][kind]["drives"])
             cells.append("%.1f ± %.1f" % (100 * share, 100 * half))
         everything = results[name]["all"]
-        efficiency = sum(everything["efficiency"]) / sum(everything["drives"])
+        means = zip(everything["efficiency"], everything["drives"])
+        efficiency = sum(mean * drives for mean, drives in means) / sum(everything["drives"])
         print("| %s | %s | %.2f |" % (ROWS[name][0], " | ".join(cells), efficiency))
 
 

@@ -93,6 +93,7 @@ struct Sums {
     arrived += drive.arrived ? 1 : 0;
     efficiency += drive.efficiency;
   }
+  double meanEfficiency() const { return efficiency / drives; }
 };
 
 void print(const TextTable& table, const std::string& name, const Sums& sums) {
@@ -100,12 +101,12 @@ void print(const TextTable& table, const std::string& name, const Sums& sums) {
   const std::string arrived = fixedText(100.0 * sums.arrived / sums.drives, 1) + " %  [" + fixedText(100.0 * low, 1) +
                               ", " + fixedText(100.0 * high, 1) + "]";
   std::cout << table.line({leftText(name, kNameWidth), std::to_string(sums.drives), arrived,
-                           fixedText(sums.efficiency / sums.drives, 3)})
+                           fixedText(sums.meanEfficiency(), 3)})
             << "\n";
 }
 
 nlohmann::json toJson(const Sums& sums) {
-  return {{"drives", sums.drives}, {"arrived", sums.arrived}, {"efficiency", sums.efficiency}};
+  return {{"drives", sums.drives}, {"arrived", sums.arrived}, {"efficiency", sums.meanEfficiency()}};
 }
 
 /// Whatever the network would have come to by itself: at each step it is where the driver was.
