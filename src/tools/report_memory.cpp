@@ -52,6 +52,10 @@ int runMemoryReport(const std::vector<std::string>& arguments) {
     bar.show(share);
     return !interruption.wanted();
   });
+  if (outcomes.empty()) {
+    std::cout << "interrupted: no network is complete, nothing is written" << std::endl;
+    return interruption.exitStatus();
+  }
   std::ostringstream report;
   report << "# Memory\n\n"
          << comparison.sequences << " sequences, " << comparison.epochs << " epochs, learning rate "

@@ -12,6 +12,7 @@
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/ranks.hpp"
+#include "tools/shared_file.hpp"
 #include "tools/training.hpp"
 
 namespace lstm_planner {
@@ -129,7 +130,7 @@ void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTra
 LayerStack firstLayers(const std::string& init, const NetworkShape& shape, std::uint64_t seed,
                        PolicyDescription* policy) {
   if (!init.empty()) {
-    Model model = readModelFile(init);
+    Model model = readModelFile(findSharedFile(init));
     try {
       *policy = readPolicyDescription(model.metadata);
     } catch (const std::invalid_argument& error) {

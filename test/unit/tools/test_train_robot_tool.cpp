@@ -55,9 +55,10 @@ TEST_F(TrainRobotTool, WorldsWithoutAPathOfTheLengthWantedAreNotJudgedIn) {
   EXPECT_NE(outcome.output.find("parameter shortest is 200, expected at most"), std::string::npos) << outcome.output;
 }
 
-TEST_F(TrainRobotTool, AModelThatIsNoneOfTheRobotsIsNamed) {
-  const std::string model = LSTM_PLANNER_SOURCE_DIR "/models/grid_lstm_2x8.onnx";
-  const test::Outcome outcome = runTool("train --method actor-critic --init " + model + " --output " + in("own.onnx"));
+TEST_F(TrainRobotTool, AModelThatIsNoneOfTheRobotsIsNamedAlsoOneOfThePackageFromAnotherFolder) {
+  const std::string model = "models/grid_lstm_2x8.onnx";
+  const std::string train = std::string(kTool) + " train --method actor-critic --init " + model + " --output own.onnx";
+  const test::Outcome outcome = runIn("elsewhere", train);
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.output.find("--init " + model + ": the metadata lack "), std::string::npos) << outcome.output;
 }
