@@ -80,7 +80,8 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
         "a step ends after this time if the robot has moved at all (thesis: 2 Hz)");
   visit("step/reached", step.reached, {0.001, 1.0}, "m", "a step ends when the robot is this near to the waypoint");
   visit("step/stall", step.stall, {0.01, 600.0}, "s",
-        "a robot that stands still for longer than this looks around; a smaller value gives up tight passages sooner");
+        "a robot that stands still for longer than this tries another way, or looks around; a smaller value gives up "
+        "tight passages sooner");
   visit("step/still_distance", step.still_distance, {1e-4, 1.0}, "m",
         "a robot that moves less than this, and turns less than step/still_turn, stands still");
   visit("step/still_turn", step.still_turn, {1e-4, M_PI}, "rad",
