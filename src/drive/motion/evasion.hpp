@@ -43,7 +43,8 @@ class Evasion {
       const double left = free - std::hypot(pose.x, pose.y);
       if (std::abs(error) < parameters_.turn_in_place && left > 0.0) {
         const double brakes = std::sqrt(2.0 * parameters_.linear_acceleration * left);
-        twist.linear = std::min(speed * std::cos(error), brakes);
+        // It never backs on an arc: what is behind may not be seen.
+        twist.linear = std::clamp(speed * std::cos(error), 0.0, brakes);
       }
       return twist;
     });

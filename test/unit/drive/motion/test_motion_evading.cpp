@@ -115,6 +115,17 @@ TEST_P(MotionEvading, BacksAwayAsFarAsItIsSeenFreeBehind) {
   EXPECT_LE(0.25 * blocked + blocked * blocked / 4.0, 0.5 - kMargin - 0.25);
 }
 
+TEST_P(MotionEvading, NeverTurnsAndBacksWhateverTurnsInPlaceMeans) {
+  MotionParameters motion = fastMotion(2.5);
+  motion.turn_in_place = 4.0;
+  const MotionController controller(motion);
+  for (int degrees = -180; degrees < 180; degrees += 15) {
+    MovingThing thing{pointAlong(Point2{}, degreesToRadians(degrees), 2.0), 0.5, {}};
+    thing.velocity = {-0.5 * thing.center.x, -0.5 * thing.center.y};
+    EXPECT_GE(controller.evade({}, {plan_, {}, {}, shield_, kPeriod}, {thing}).linear, 0.0) << degrees;
+  }
+}
+
 TEST_P(MotionEvading, DoesNotFleeIntoAnObstacle) {
   // Walls ahead and on both sides: there is no way out.
   std::vector<Point2> walls;
