@@ -197,22 +197,19 @@ const Decision& NavigationAgent::decide() {
 /// itself, e.g. by an emergency stop: then nothing was learned about the place, and nothing more will be.
 void NavigationAgent::tryAnotherWay() {
   if (clock_.stalls() > 1) {
-    if (!has_blocked_) return;
-    has_blocked_ = false;
-    replanner_->unblock();
+    if (!blocked_) return;
+    replanner_->unblock(*blocked_);
+    blocked_.reset();
     decideStep();
     return;
   }
-  has_blocked_ = replanner_ && (decision_.on_route || isOneStep(decision_));
-  if (!has_blocked_) {
+  blocked_.reset();
+  if (!replanner_ || !(decision_.on_route || isOneStep(decision_))) {
     context().lookAround();
     return;
   }
-  if (decision_.on_route) {
-    replanner_->blockAhead();
-  } else {
-    replanner_->blockTowards({situation_.pose.x, situation_.pose.y}, decision_.waypoint);
-  }
+  blocked_ = decision_.on_route ? replanner_->blockAhead()
+                                : replanner_->blockTowards({situation_.pose.x, situation_.pose.y}, decision_.waypoint);
   decideStep();
 }
 

@@ -64,10 +64,12 @@ void Clearance::block(const Point2& place) {
   outdateAt(place);
 }
 
-void Clearance::unblock() {
-  if (blocks_.empty()) return;
-  outdateAt(blocks_.back());
-  blocks_.pop_back();
+void Clearance::unblock(const Point2& place) {
+  const auto isIt = [&](const Point2& block) { return block.x == place.x && block.y == place.y; };
+  const auto block = std::find_if(blocks_.begin(), blocks_.end(), isIt);
+  if (block == blocks_.end()) return;
+  blocks_.erase(block);
+  outdateAt(place);
 }
 
 void Clearance::relaxClearance(bool on) {

@@ -186,14 +186,17 @@ Replanner::Answer Replanner::lookAround(const Situation& situation) {
   return Answer::kLookAround;
 }
 
-void Replanner::blockAhead() {
-  if (hasRoute()) {
-    memory_.block(pointAhead(kBlockedAhead));
-  }
+std::optional<Point2> Replanner::blockAhead() {
+  if (!hasRoute()) return std::nullopt;
+  const Point2 place = pointAhead(kBlockedAhead);
+  memory_.block(place);
+  return place;
 }
 
-void Replanner::blockTowards(const Point2& here, const Point2& next) {
-  memory_.block(pointAlong(here, directionTo(here, next), kBlockedAhead));
+Point2 Replanner::blockTowards(const Point2& here, const Point2& next) {
+  const Point2 place = pointAlong(here, directionTo(here, next), kBlockedAhead);
+  memory_.block(place);
+  return place;
 }
 
 Point2 Replanner::pointAhead(double distance) const {

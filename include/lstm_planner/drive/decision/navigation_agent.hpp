@@ -161,7 +161,7 @@ class NavigationAgent {
   DetourBound bound_;
   DriveTrace trace_;
   StepClock clock_;
-  bool has_blocked_ = false;  ///< what is ahead, when the robot stalled; it has not moved since
+  std::optional<Point2> blocked_;  ///< place ahead, taken as blocked when the robot stalled; it has not moved since
   DrivenProgressWatch progress_;
   double driven_ = 0.0;   ///< m since the goal was set, from step to step
   Point2 best_position_;  ///< where the robot was nearest to the goal

@@ -36,8 +36,8 @@ class Clearance {
 
   /// A place is blocked from now on. Of too many the oldest gives way.
   void block(const Point2& place);
-  /// The place that was blocked last is not, if there is any.
-  void unblock();
+  /// Takes back block(), if the place is still blocked.
+  void unblock(const Point2& place);
 
   /// Whether places count as passable that seem too narrow by not more than the error of noise and squares.
   void relaxClearance(bool on);

@@ -47,8 +47,8 @@ class LocalMap {
   /// Marks a place as not passable although no obstacle was seen there; until forget(), or until many other places were
   /// marked.
   void block(const Point2& place) { clearance_.block(place); }
-  /// Takes back the last block(), if there is any.
-  void unblock() { clearance_.unblock(); }
+  /// Takes back block(), if the place is still marked.
+  void unblock(const Point2& place) { clearance_.unblock(place); }
 
   /// Whether places count as passable that seem too narrow by not more than the error of noise and squares. This is
   /// seldom true, but worth a try if there is no other path.

@@ -55,12 +55,13 @@ class Replanner {
   /// has found a route, which stays the same. `path_on`: the corners of the path behind `next`.
   double regretOf(const Point2& here, const Point2& next, std::vector<Point2>* path_on);
 
-  /// The start of the route turned out to be blocked although the memory does not know why.
-  void blockAhead();
+  /// The start of the route turned out to be blocked although the memory does not know why. Returns the place that
+  /// counts as blocked from now on; none where there is no route.
+  std::optional<Point2> blockAhead();
   /// The same for the straight way from `here` to `next`.
-  void blockTowards(const Point2& here, const Point2& next);
-  /// It was not: the last of these calls is taken back.
-  void unblock() { memory_.unblock(); }
+  Point2 blockTowards(const Point2& here, const Point2& next);
+  /// It was not.
+  void unblock(const Point2& place) { memory_.unblock(place); }
 
   /// As update() found it, until it finds none: from the robot to the goal, or to where the footprint still fits when
   /// the goal lies in something.

@@ -287,6 +287,24 @@ TEST_F(NavigationRoutes, ARobotThatIsHeldByAnEmergencyStopLearnsNothingAboutTheP
   EXPECT_GT(std::abs(normalizeAngle(agent_.decision().direction - before.direction)), 0.3);
 }
 
+TEST_F(NavigationRoutes, ARobotThatIsHeldByHandLearnsNothingAboutThePlaceAhead) {
+  const Decision before = test::decideIn(returnsAt({}), &agent_);
+  const Point2 ahead = pointAlong(Point2{}, before.direction, 0.3);
+  const auto isFree = [&] { return agent_.memory()->isFree(ahead, ahead, Passage::kTight); };
+  Situation held = returnsAt({});
+  held.time = 2.0;
+  test::decideIn(held, &agent_);
+  EXPECT_FALSE(isFree());
+  // A hand on the robot: the other way is not free either, and a third one is taken.
+  Situation touched = returnsAt({pointAlong(Point2{}, agent_.decision().direction, 0.1)});
+  touched.time = 3.0;
+  test::decideIn(touched, &agent_);
+  EXPECT_FALSE(isFree());
+  held.time = 4.0;
+  test::decideIn(held, &agent_);
+  EXPECT_TRUE(isFree());
+}
+
 TEST_F(NavigationRoutes, SaysThatThereIsNoPathAfterThreeTurnsInAClosedRing) {
   double turned = 0.0;
   for (int i = 0; i < 100; ++i) {

@@ -377,14 +377,14 @@ TEST(LocalMap, ABlockedPlaceStaysBlockedThoughTheScanShowsItClear) {
   EXPECT_TRUE(memory.isFree({4.5, 4.0}, {5.5, 4.0}, Passage::kRoomy));
 }
 
-TEST(LocalMap, ABlockIsTakenBackAndTheOneBeforeStays) {
+TEST(LocalMap, ABlockIsTakenBackAndTheOthersStay) {
   LocalMap memory = emptyMemory();
   memory.add(test::situationAt({}));
-  memory.unblock();  // there is none
-  memory.block({1.0, 0.0});
+  memory.unblock({2.0, 0.0});  // it is not blocked
   memory.block({2.0, 0.0});
+  memory.block({1.0, 0.0});
   ASSERT_TRUE(isBlocked(&memory, {2.0, 0.0}));
-  memory.unblock();
+  memory.unblock({2.0, 0.0});
   EXPECT_FALSE(isBlocked(&memory, {2.0, 0.0}));
   EXPECT_EQ(memory.passage(memory.cellAt({2.0, 0.0})), Passage::kRoomy);
   EXPECT_TRUE(isBlocked(&memory, {1.0, 0.0}));
