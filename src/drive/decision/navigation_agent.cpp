@@ -309,6 +309,7 @@ double NavigationAgent::previousAction() const {
 
 void NavigationAgent::advanceNetwork(const Observation& observation) {
   if (chosen_ != Leader::kNetwork) {
+    decision_.preferred = -1;
     preferBearing(policy_.description().actions, observation.goal_bearing, &decision_.preferences);
     return;
   }

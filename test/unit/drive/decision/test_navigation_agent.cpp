@@ -316,6 +316,18 @@ TEST_F(NavigationAgentTest, AnImposedActionStillHasToPassTheShield) {
   EXPECT_EQ(test::decideIn(situationAt({}, 0.0, wallAhead()), &agent_).action, kLeft);
 }
 
+TEST_F(NavigationAgentTest, ANetworkThatLeadsNoMorePrefersNothing) {
+  EXPECT_EQ(test::decideIn(situationAt({}), &agent_).preferred, kStraight);
+  AgentParameters changed = parameters();
+  changed.leader = Leader::kGreedy;
+  agent_.change(changed);
+  agent_.moveGoal({0.0, 10.0});
+  const Decision& decision = test::decideIn(situationAt({0.4, 0.0, 0.0}, 1.0), &agent_);
+  EXPECT_EQ(decision.choice, Leader::kGreedy);
+  EXPECT_EQ(decision.preferred, -1);
+  EXPECT_EQ(decision.overruled, Overruled::kNo);
+}
+
 TEST_F(NavigationAgentTest, RefusesAPolicyForAnotherStepLength) {
   AgentParameters parameters;
   parameters.step.length = 0.6;
