@@ -367,7 +367,8 @@ bool NavigationAgent::chooseGoalInSight(const StepContext& step) {
   const double distance = distanceBetween(situation_.pose, decision_.destination);
   const double direction = directionTo(situation_.pose, decision_.destination);
   const bool is_in_view = std::abs(normalizeAngle(direction - situation_.pose.yaw)) <= M_PI_2;
-  if (!parameters_.shield_enabled || distance > parameters_.goal_in_sight || !is_in_view) return false;
+  const double sight = std::min(parameters_.goal_in_sight, parameters_.shield.reach - shield_.footprintRadius());
+  if (!parameters_.shield_enabled || distance > sight || !is_in_view) return false;
   if (step.freeDistance(direction, distance) < distance - 0.5 * parameters_.goal_tolerance) return false;
   step.goTo(Move::kGoalInSight, direction, distance);
   return true;

@@ -274,6 +274,19 @@ TEST_F(NavigationAgentTest, TakesAGoalInSightStraight) {
   EXPECT_NEAR(decision.waypoint.y, -1.0, 1e-12);
 }
 
+TEST_F(NavigationAgentTest, AGoalBeyondWhatTheShieldSeesIsNotInSight) {
+  AgentParameters far = parameters();
+  far.goal_in_sight = 20.0;
+  far.shield.reach = 3.0;
+  NavigationAgent agent(policy(), far);
+  // The wall lies beyond the reach.
+  const Situation situation = situationAt({}, 0.0, test::wall({3.5, -1.0}, {3.5, 1.0}));
+  agent.setGoal({4.0, 0.0});
+  EXPECT_EQ(test::decideIn(situation, &agent).choice, Leader::kNetwork);
+  agent.setGoal({2.5, 0.0});
+  EXPECT_EQ(test::decideIn(situation, &agent).choice, Move::kGoalInSight);
+}
+
 TEST_F(NavigationAgentTest, LeavesAGoalBehindAWallToTheLeader) {
   agent_.setGoal({1.0, -1.0});
   EXPECT_NE(test::decideIn(situationAt({}, 0.0, test::wall({0.7, -1.5}, {0.7, 1.5})), &agent_).choice,
