@@ -207,9 +207,9 @@ MotionCommand MotionController::choose(const Moment& now, const std::vector<Poin
   const Pose2& goal = plan.back();
   const double to_goal = distanceBetween(pose, goal);
   if (to_goal <= parameters_.position_tolerance) {
+    if (goalReached(pose, goal)) return {{}, StopReason::kArrived};
     const double error = normalizeAngle(goal.yaw - pose.yaw);
-    const bool aligned = std::abs(error) <= parameters_.heading_tolerance;
-    if (aligned) return {{}, StopReason::kArrived};
+    if (!std::isfinite(error)) return {{}, StopReason::kUnusableData};
     if (has_corners) return turnWithCorners(error, now);
     return {{0.0, wantedTurn(error, parameters_.max_angular)}, StopReason::kNone};
   }

@@ -161,9 +161,10 @@ TEST_F(MotionControllerTest, LooksAtThePathThatItTakesUntilTheCommandActs) {
 }
 
 TEST_F(MotionControllerTest, StandsStillWithoutAPlanOrAPose) {
-  for (const Twist2& twist : {compute({}), compute(planAlong({{0.0, 0.0}, {5.0, 0.0}}), {kNan, 0.0, 0.0}),
-                              compute(planAlong({{0.0, 0.0}, {5.0, 0.0}}), {0.0, 0.0, kNan}),
-                              compute({{kNan, 0.0, 0.0}}), compute({{0.0, 0.0, 0.0}, {5.0, kNan, 0.0}})}) {
+  for (const Twist2& twist :
+       {compute({}), compute(planAlong({{0.0, 0.0}, {5.0, 0.0}}), {kNan, 0.0, 0.0}),
+        compute(planAlong({{0.0, 0.0}, {5.0, 0.0}}), {0.0, 0.0, kNan}), compute({{kNan, 0.0, 0.0}}),
+        compute({{0.0, 0.0, 0.0}, {5.0, kNan, 0.0}}), compute({{0.1, 0.0, kNan}})}) {
     EXPECT_EQ(twist.linear, 0.0);
     EXPECT_EQ(twist.angular, 0.0);
   }
