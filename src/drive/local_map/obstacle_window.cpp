@@ -49,7 +49,9 @@ Point2 ObstacleWindow::centerOf(int cell) const {
 }
 
 Square ObstacleWindow::squareAt(const Point2& position) const {
-  return {floorOf(position.x / resolution_) - origin().column, floorOf(position.y / resolution_) - origin().row};
+  // The difference first: 1e7 m are more of the smallest squares than floorOf() tells apart.
+  return {floorOf(std::floor(position.x / resolution_) - origin().column),
+          floorOf(std::floor(position.y / resolution_) - origin().row)};
 }
 
 std::vector<Point2> ObstacleWindow::occupied() const {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "lstm_planner/drive/local_map/obstacle_window.hpp"
+#include "lstm_planner/drive/perception/reach.hpp"
 
 namespace lstm_planner::test_obstacle_window {
 namespace {
@@ -57,6 +58,17 @@ TEST(ObstacleWindow, AKeyIsASquare) {
   const Square square = squareOf(keyOf({1234, 567}));
   EXPECT_EQ(square.column, 1234);
   EXPECT_EQ(square.row, 567);
+}
+
+TEST(ObstacleWindow, FindsTheSmallestSquaresAsFarAwayAsPosesAreUsed) {
+  for (const double far : {-kFarthestPose, 0.0, kFarthestPose}) {
+    ObstacleWindow window(10.0, 0.005);
+    window.moveTo({far, far, 0.0});
+    const Square square = window.squareAt({far + 0.5, far - 0.5});
+    ASSERT_TRUE(window.contains(square)) << far;
+    EXPECT_NEAR(window.centerOf(square).x - far, 0.5, 0.005);
+    EXPECT_NEAR(window.centerOf(square).y - far, -0.5, 0.005);
+  }
 }
 
 }  // namespace
