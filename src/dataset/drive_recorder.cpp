@@ -155,14 +155,20 @@ void DriveRecorder::work(const ScanHeard& scan) {
 void DriveRecorder::sample(const ScanHeard& scan) {
   // Counted from the clock's zero rather than from the first scan, so that a bag that starts earlier gives the same.
   const double number = std::floor(scan.stamp / parameters_.period);
-  if (last_sample_ && number <= *last_sample_) return;
+  if (last_sample_ && number <= *last_sample_) {
+    last_seen_ = scan.stamp;
+    return;
+  }
   if (const std::string flaw = see(scan); !flaw.empty()) {
     // The next scan may do; how many did not, within one sample, depends on the scanner's rate alone.
     if (last_unusable_ != number) reject(Rejection::kUnusableScan, flaw);
     last_unusable_ = number;
     return;
   }
+  // Where the robot was after a long time does not say where it went from the step before.
+  if (last_sample_ && scan.stamp - last_seen_ > parameters_.max_gap) endEpisode(EpisodeEnd::kTimeJump);
   last_sample_ = number;
+  last_seen_ = scan.stamp;
 
   if (paused_) {
     sink_->reject(Rejection::kPaused);

@@ -79,6 +79,7 @@ class DriveRecorder {
   OdometryHistory history_;
   std::vector<ScanHeard> waiting_;       ///< scans that are newer than the odometry
   std::optional<double> last_sample_;    ///< number of its period
+  double last_seen_ = 0.0;               ///< s, of the last scan in a period that had a sample
   std::optional<double> last_unusable_;  ///< number of the last period without a usable scan
   std::optional<Situation> situation_;   ///< at the last sample
   SilenceWatch silence_;

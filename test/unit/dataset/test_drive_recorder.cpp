@@ -50,6 +50,8 @@ class DrivenRobot {
 
   void jump(const Pose2& pose) { pose_ = pose; }
   void wait(double seconds) { time_ += seconds; }
+  /// From now on there are no scans, or there are again.
+  void hide(bool hidden) { hidden_ = hidden; }
   double time() const { return time_ + static_cast<double>(ticks_) * kTick; }
   const Pose2& pose() const { return pose_; }
 
@@ -60,13 +62,14 @@ class DrivenRobot {
 
   void hear() {
     if (ticks_ % std::lround(kOdometryPeriod / kTick) == 0) events.push_back(OdometryHeard{time(), pose_, twist_});
-    if (ticks_ % std::lround(kScanPeriod / kTick) == 0) events.push_back(scanAt(time()));
+    if (!hidden_ && ticks_ % std::lround(kScanPeriod / kTick) == 0) events.push_back(scanAt(time()));
   }
 
   double time_;
   long ticks_ = 0;
   Pose2 pose_;
   Twist2 twist_;
+  bool hidden_ = false;
 };
 
 class DriveRecorderTest : public testing::Test {
@@ -405,6 +408,26 @@ TEST_F(DriveRecorderTest, NothingIsRecordedWhileTheScannerIsCovered) {
   EXPECT_EQ(steps_.rejected(Rejection::kUnusableScan), 2) << "once a look, at 101.5 and 102.0, however many scans";
   for (const DriveStep& step : steps_.episodes().at(0).steps) {
     EXPECT_TRUE(step.stamp < 101.2 || step.stamp > 102.2 - 1e-6) << step.stamp;
+  }
+}
+
+TEST_F(DriveRecorderTest, ScansThatAreMissingForLongEndTheEpisode) {
+  for (const double silence : {1.8, 5.0}) {
+    steps_ = {};
+    DrivenRobot robot;
+    robot.events.push_back(goalAt(robot.time(), 10.0, 0.0));
+    robot.drive(2.0, {0.3, 0.0});
+    robot.hide(true);
+    robot.drive(silence, {0.3, 0.0});
+    robot.hide(false);
+    robot.drive(2.0, {0.3, 0.0});
+    record(robot.events);
+    const bool is_long = silence > parameters_.max_gap;
+    ASSERT_EQ(steps_.episodes().size(), is_long ? 2u : 1u) << silence;
+    EXPECT_EQ(steps_.episodes()[0].episode.end, is_long ? EpisodeEnd::kTimeJump : EpisodeEnd::kFinished) << silence;
+    for (const auto& recorded : steps_.episodes()) {
+      for (const DriveStep& step : recorded.steps) EXPECT_LE(step.next_stamp - step.stamp, parameters_.max_gap + 0.5);
+    }
   }
 }
 
