@@ -186,7 +186,7 @@ void DriveRecorder::sample(const ScanHeard& scan) {
   }
   goal_position_ = toParentFrame(*frame, {goal_->pose.x, goal_->pose.y});
   if (!isInReach(situation_->pose, goal_position_)) {
-    sink_->reject(Rejection::kNotFinite);
+    reject(Rejection::kNotFinite, "the goal is too far away");
     return;
   }
   if (isAt(goal_position_, situation_->pose)) {

@@ -360,7 +360,6 @@ RecordingStatus DatasetRecorder::status() const {
   };
   RecordingStatus status = status_;
   file_.describe(&status);
-  status.message_problem = messages_.problem();
   status.scan_silence = silenceSince(last_scan_);
   status.odometry_silence = silenceSince(last_odometry_);
   status.paused = messages_.recorder().paused();

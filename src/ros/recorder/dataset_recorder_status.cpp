@@ -42,7 +42,7 @@ bool isTrouble(Rejection rejection) {
 std::string describeRejection(Rejection rejection, const RecordingStatus& status) {
   if (rejection == Rejection::kNoGoal) return "no goal is set (rviz: 2D Nav Goal)";
   const bool has_sentence = rejection == Rejection::kNoTransform || rejection == Rejection::kNotFinite;
-  return has_sentence && !status.message_problem.empty() ? status.message_problem : toString(rejection);
+  return has_sentence ? status.progress->reason(rejection) : toString(rejection);
 }
 
 /// When for a while there was nothing but rejections: why.
@@ -161,6 +161,11 @@ void RecordingProgress::endEpisode(double stamp, EpisodeEnd end) {
 void RecordingProgress::reject(Rejection rejection) {
   ++rejections_.at(static_cast<std::size_t>(rejection));
   if (sink_ != nullptr) sink_->reject(rejection);
+}
+
+std::string RecordingProgress::reason(Rejection rejection) const {
+  const auto found = reasons_.find(rejection);
+  return found == reasons_.end() ? toString(rejection) : found->second;
 }
 
 void RecordingProgress::discardEpisode() {

@@ -2,6 +2,7 @@
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,7 @@ class RecordingProgress : public StepSink {
   void addStep(const DriveStep& step) override;
   void endEpisode(double stamp, EpisodeEnd end) override;
   void reject(Rejection rejection) override;
+  void explain(Rejection rejection, const std::string& why) override { reasons_[rejection] = why; }
 
   /// The newest episode was discarded: its steps do not count.
   void discardEpisode();
@@ -37,6 +39,8 @@ class RecordingProgress : public StepSink {
   long steps() const;                                          ///< without those of discarded episodes
   const std::vector<long>& labels() const { return labels_; }  ///< of these steps, by label
   const RejectionCounts& rejections() const { return rejections_; }
+  /// Why something was last rejected so; the kind's name where more was not said.
+  std::string reason(Rejection rejection) const;
   long episodes() const { return episodes_; }
   long arrived() const { return arrived_; }      ///< episodes that ended at the goal, discarded or not
   long discarded() const { return discarded_; }  ///< episodes
@@ -46,6 +50,7 @@ class RecordingProgress : public StepSink {
   StepSink* sink_ = nullptr;
   std::vector<long> labels_;
   RejectionCounts rejections_{};
+  std::map<Rejection, std::string> reasons_;  ///< the last ones
   long episodes_ = 0;
   long arrived_ = 0;
   long discarded_ = 0;
@@ -56,14 +61,13 @@ class RecordingProgress : public StepSink {
 struct RecordingStatus {
   std::string node;  ///< its name
   std::string file;
-  long stored = 0;              ///< steps that are on the disk, also those of discarded episodes
-  long waiting = 0;             ///< steps that could not be written yet
-  long lost = 0;                ///< steps that were given up
-  double disk_left = 0.0;       ///< MB
-  double disk_low = 0.0;        ///< MB, less than this is low
-  std::string write_problem;    ///< why steps are waiting
-  std::string problem;          ///< what nobody expected to go wrong
-  std::string message_problem;  ///< why the last message that was rejected could not be used
+  long stored = 0;            ///< steps that are on the disk, also those of discarded episodes
+  long waiting = 0;           ///< steps that could not be written yet
+  long lost = 0;              ///< steps that were given up
+  double disk_left = 0.0;     ///< MB
+  double disk_low = 0.0;      ///< MB, less than this is low
+  std::string write_problem;  ///< why steps are waiting
+  std::string problem;        ///< what nobody expected to go wrong
 
   std::string scan_topic;
   std::string odometry_topic;

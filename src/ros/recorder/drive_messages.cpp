@@ -43,7 +43,7 @@ void DriveMessages::hear(const sensor_msgs::LaserScan& scan, const ros::Time& re
   fromMessage(scan, &heard.scan);
   heard.scan.stamp = heard.stamp;
   // Only odometry says in which frame the robot moves, and so where the scanner sits in it.
-  if (!odometry_heard_) return reject(Rejection::kNoOdometry, "no odometry has been received yet");
+  if (!odometry_heard_) return recorder_.reject(Rejection::kNoOdometry, "no odometry has been received yet");
   const SensorMount* mount = mountOf(heard.frame);
   if (mount == nullptr) return;
   heard.mount = *mount;
@@ -97,7 +97,7 @@ void DriveMessages::hearGoal(const geometry_msgs::PoseStamped& goal, const std::
     heard.goal = goalFromMessage(message);
   } catch (const std::invalid_argument& error) {
     const bool no_frame = frameName(goal.header.frame_id).empty();
-    return reject(no_frame ? Rejection::kNoTransform : Rejection::kNotFinite, error.what());
+    return recorder_.reject(no_frame ? Rejection::kNoTransform : Rejection::kNotFinite, error.what());
   }
   if (!isUsable(heard)) return;
   const bool forwarded = last_goal_ && last_goal_->source != source && sameGoal(last_goal_->goal, heard.goal) &&
@@ -133,20 +133,15 @@ const SensorMount* DriveMessages::mountOf(const std::string& frame) {
   try {
     return &mounts_.at(frame);
   } catch (const SensorError& error) {
-    reject(Rejection::kNoTransform, error.what());
+    recorder_.reject(Rejection::kNoTransform, error.what());
     return nullptr;
   }
 }
 
 bool DriveMessages::isUsable(const DriveEvent& event) {
   const std::string flaw = flawOf(event);
-  if (!flaw.empty()) reject(Rejection::kNotFinite, flaw);
+  if (!flaw.empty()) recorder_.reject(Rejection::kNotFinite, flaw);
   return flaw.empty();
-}
-
-void DriveMessages::reject(Rejection rejection, const std::string& problem) {
-  problem_ = problem;
-  recorder_.reject(rejection, problem);
 }
 
 }  // namespace lstm_planner

@@ -43,8 +43,6 @@ class DriveMessages {
   DriveRecorder& recorder() { return recorder_; }
   const DriveRecorder& recorder() const { return recorder_; }
   const std::string& odometryFrame() const { return odometry_frame_; }  ///< empty before the first odometry
-  /// Why the last message that was rejected could not be used; empty when none was.
-  const std::string& problem() const { return problem_; }
 
  private:
   /// The goal that was heard last.
@@ -59,7 +57,6 @@ class DriveMessages {
   bool isUsable(const DriveEvent& event);
   /// The goal is not driven to any more: cancelled or given up. `stamp`: when.
   void hearEnd(const ros::Time& stamp);
-  void reject(Rejection rejection, const std::string& problem);
 
   const tf2::BufferCore& tf_;
   ScannerMounts mounts_;
@@ -68,7 +65,6 @@ class DriveMessages {
   std::optional<SensorMount> given_mount_;
   std::optional<LastGoal> last_goal_;
   actionlib_msgs::GoalID action_goal_;  ///< move_base's newest; empty id: the newest goal is not move_base's
-  std::string problem_;
   DriveRecorder recorder_;
 };
 
