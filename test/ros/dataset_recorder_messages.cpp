@@ -221,6 +221,49 @@ TEST_F(DriveMessagesTest, CancellingUpToATimeIsHeardByGoalsOfBefore) {
   EXPECT_FALSE(messages_.recorder().goal());
 }
 
+TEST_F(DriveMessagesTest, AGoalInAFrameOfTheRobotStaysWhereItWasGiven) {
+  setTransform("base_footprint", "base_link", {0.0, 0.0, 0.0});
+  setTransform("odom", "base_footprint", {0.3, 0.0, 0.0});
+  drive(1.0);
+  messages_.hearGoal(goal(1.0, "base_link"), "test", now_);
+  drive(1.0);
+  setTransform("odom", "base_footprint", {0.5, 0.0, 0.0});
+  drive(1.0);
+  ASSERT_EQ(sink_.episodes.size(), 1U);
+  for (const DriveStep& step : sink_.episodes[0].steps) EXPECT_DOUBLE_EQ(step.goal.x, 1.3);
+  EXPECT_FALSE(sink_.episodes[0].steps.empty());
+}
+
+TEST_F(DriveMessagesTest, TransformsInACircleLeadNowhere) {
+  setTransform("arm", "hand", {});
+  setTransform("hand", "arm", {});
+  setTransform("arm", "finger", {});
+  drive(1.0);
+  messages_.hearGoal(goal(1.0, "finger"), "test", now_);
+  drive(1.0);
+  EXPECT_TRUE(sink_.episodes.empty());
+}
+
+TEST_F(DriveMessagesTest, GoalsAndTheirEndsCountInTheOrderInWhichTheyAreSaid) {
+  drive(1.0);
+  messages_.hearGoal(goal(4.0), "test", now_);
+  drive(1.0);
+  const geometry_msgs::PoseStamped next = goal(5.0);  // stamped before the other one is cancelled
+  const ros::Time cancelled = now_ + ros::Duration(0.05);
+  messages_.hear(actionlib_msgs::GoalID(), cancelled);
+  messages_.hearGoal(next, "test", cancelled + ros::Duration(0.01));
+  drive(1.0);
+  ASSERT_TRUE(messages_.recorder().goal());
+  EXPECT_DOUBLE_EQ(messages_.recorder().goal()->pose.x, 5.0);
+
+  geometry_msgs::PoseStamped last = goal(6.0);
+  last.header.stamp += ros::Duration(0.4);  // of a computer whose clock is ahead
+  messages_.hearGoal(last, "test", now_);
+  messages_.hear(actionlib_msgs::GoalID(), now_ + ros::Duration(0.1));
+  drive(2.0);
+  EXPECT_FALSE(messages_.recorder().goal());
+}
+
 const RosProgram program("dataset_recorder_messages", &runTests);
 
 }  // namespace

@@ -76,7 +76,7 @@ EpisodeEnd episodeEndNamed(const std::string& name);
 
 /// A drive to one goal.
 struct Episode {
-  GoalInFrame goal;         ///< as it was given
+  GoalInFrame goal;         ///< as it was given; in the odometry frame if it was given in one of the robot's
   std::string goal_source;  ///< where it came from: a topic, "waypoints", "hindsight"
   double begun = 0.0;       ///< s
   double ended = 0.0;       ///< s

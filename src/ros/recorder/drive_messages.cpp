@@ -105,13 +105,36 @@ void DriveMessages::hearGoal(const geometry_msgs::PoseStamped& goal, const std::
   last_goal_ = LastGoal{heard.goal, source, heard.stamp};
   if (forwarded) return;
   action_goal_ = {};
+  // Such as "a metre ahead": move_base, too, takes it for the place that this was then.
+  const std::optional<Pose2> frame =
+      movesWithRobot(heard.goal.frame) ? locate(heard.goal.frame, heard.stamp) : std::nullopt;
+  if (frame) heard.goal = {odometry_frame_, compose(*frame, heard.goal.pose)};
+  heard.stamp = inOrder(heard.stamp);
   recorder_.add(heard);
 }
 
 void DriveMessages::hearEnd(const ros::Time& stamp) {
   last_goal_.reset();
   action_goal_ = {};
-  recorder_.add(GoalGivenUp{stamp.toSec()});
+  recorder_.add(GoalGivenUp{inOrder(stamp.toSec())});
+}
+
+double DriveMessages::inOrder(double stamp) {
+  // Older ones are from before the clock was set back.
+  const bool is_recent = last_word_ - stamp <= kOldest + kAhead;
+  last_word_ = stamp <= last_word_ && is_recent ? std::nextafter(last_word_, HUGE_VAL) : stamp;
+  return last_word_;
+}
+
+bool DriveMessages::movesWithRobot(const std::string& frame) const {
+  constexpr int kMostFrames = 1000;  // as tf itself: transforms may make a circle
+  std::string child = frame;
+  std::string parent;
+  for (int i = 0; i < kMostFrames && tf_._getParent(child, ros::Time(0), parent); ++i) {
+    if (parent == odometry_frame_) return true;
+    child = parent;
+  }
+  return false;
 }
 
 std::optional<Pose2> DriveMessages::locate(const std::string& frame, double stamp) const {

@@ -57,6 +57,11 @@ class DriveMessages {
   bool isUsable(const DriveEvent& event);
   /// The goal is not driven to any more: cancelled or given up. `stamp`: when.
   void hearEnd(const ros::Time& stamp);
+  /// `stamp`, or just behind what was said of goals before: computers' clocks differ, and goals are stamped some time
+  /// before they are sent.
+  double inOrder(double stamp);
+  /// Whether tf has the frame below the odometry's, as those of the robot's parts.
+  bool movesWithRobot(const std::string& frame) const;
 
   const tf2::BufferCore& tf_;
   ScannerMounts mounts_;
@@ -65,6 +70,7 @@ class DriveMessages {
   std::optional<SensorMount> given_mount_;
   std::optional<LastGoal> last_goal_;
   actionlib_msgs::GoalID action_goal_;  ///< move_base's newest; empty id: the newest goal is not move_base's
+  double last_word_ = 0.0;              ///< s, what was heard last of goals and their ends
   DriveRecorder recorder_;
 };
 
