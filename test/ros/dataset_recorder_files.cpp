@@ -53,6 +53,15 @@ TEST_F(RecorderTest, DiagnosticsWarnOfADriveWithoutAGoal) {
   EXPECT_TRUE(contains(value("message"), "no goal is set")) << value("message");
 }
 
+TEST_F(RecorderTest, DiagnosticsNameTheFrameOfAGoalThatIsNotKnown) {
+  start();
+  giveGoal(goalAt(5.0, 0.0, "nowhere"));
+  ASSERT_TRUE(eventually([this] {
+    stand(kTick);
+    return contains(value("message"), "the goal's frame 'nowhere'");
+  })) << value("message");
+}
+
 TEST_F(RecorderTest, ARobotThatIsNotThereIsSaidAndLeavesNoFile) {
   recorder_ = launch("dataset_recorder", {});
   const auto warned = [this] { return count("level") == kWarning; };
