@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
+#include <locale>
 #include <sstream>
 
 namespace lstm_planner {
@@ -17,15 +17,21 @@ std::string valueOf(const std::string& key, const Report& report) {
   return found == report.values.end() ? "" : found->second;
 }
 
-/// 0 where there is no such number.
-double numberOf(const std::string& key, const Report& report) {
-  return std::strtod(valueOf(key, report).c_str(), nullptr);
+/// 0 where there is none. With a decimal point in every locale: rviz takes the user's, which may have a comma.
+double numberIn(const std::string& text) {
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  double number = 0.0;
+  stream >> number;
+  return number;
 }
+
+double numberOf(const std::string& key, const Report& report) { return numberIn(valueOf(key, report)); }
 
 std::vector<double> numbersOf(const std::string& key, const Report& report) {
   std::istringstream list(valueOf(key, report));
   std::vector<double> numbers;
-  for (std::string text; std::getline(list, text, ',');) numbers.push_back(std::strtod(text.c_str(), nullptr));
+  for (std::string text; std::getline(list, text, ',');) numbers.push_back(numberIn(text));
   return numbers;
 }
 

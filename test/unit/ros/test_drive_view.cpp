@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <clocale>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,19 @@ TEST(DriveView, ShowsTheActionsFromLeftToRight) {
   EXPECT_FALSE(actions[1].removed);
   EXPECT_TRUE(actions[1].chosen);
   EXPECT_FALSE(actions[2].chosen);
+}
+
+TEST(DriveView, ReadsNumbersWhereTheLocaleHasACommaInThem) {
+  const std::string before = std::setlocale(LC_NUMERIC, nullptr);
+  std::setlocale(LC_NUMERIC, "de_DE.UTF-8");  // where it is installed
+  DriveView view;
+  view.hearDecision(networkDecision(), 10.0);
+  const std::vector<ViewAction> actions = view.actions(10.0);
+  const std::string goal = view.goal(10.0);
+  std::setlocale(LC_NUMERIC, before.c_str());
+  ASSERT_EQ(actions.size(), 5u);
+  EXPECT_EQ(actions[1].name, "45° left");
+  EXPECT_NE(goal.find("30° right"), std::string::npos) << goal;
 }
 
 TEST(DriveView, NamesWhatTheShieldRemoved) {
