@@ -162,6 +162,11 @@ void exportCsv(const std::string& path, const Dataset& dataset, bool with_scans)
 
 void exportNumpy(const std::string& path, const Dataset& dataset, bool with_scans) {
   if (stepCount(dataset) == 0) throw DatasetError("'" + path + "' is not written: the dataset has no steps");
+  const std::vector<double>& angles = dataset.recordings.at(0).description.parameters.action_angles;
+  for (const Recording& recording : dataset.recordings) {
+    if (recording.description.parameters.action_angles == angles) continue;
+    throw DatasetError("'" + path + "' is not written: the labels of its recordings stand for different angles");
+  }
   ColumnCollector collector;
   forEachStep(dataset,
               [&](long recording, long episode, const DriveStep& step) { collector.add(recording, episode, step); });
@@ -174,7 +179,7 @@ void exportNumpy(const std::string& path, const Dataset& dataset, bool with_scan
                                        : toNpy(column.integers, column.row_length),
                &archive);
     }
-    addArray("action_angles", toNpy(dataset.recordings.at(0).description.parameters.action_angles), &archive);
+    addArray("action_angles", toNpy(angles), &archive);
     if (with_scans) addScans(dataset, &archive);
     archive.close();
     file.commit();

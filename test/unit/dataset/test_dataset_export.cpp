@@ -126,5 +126,11 @@ TEST_F(DatasetExport, SaysWhenTheFileCannotBeWritten) {
   EXPECT_THROW(exportNumpy(in("a.npz"), {}, false), DatasetError) << "there is nothing to learn from";
 }
 
+TEST_F(DatasetExport, HasOneMeaningOfTheLabelsInArrays) {
+  Dataset dataset = example();
+  dataset.recordings[1].description.parameters.action_angles[0] = -1.4;
+  EXPECT_THROW(exportNumpy(in("a.npz"), dataset, false), DatasetError);
+}
+
 }  // namespace
 }  // namespace lstm_planner::test_dataset_export
