@@ -39,6 +39,12 @@ namespace {
 const ros::WallDuration kSettling(0.5);  // within which a computer that is not too busy makes and serves connections
 constexpr int kQueue = 1000;             // what is played as fast as possible comes faster than it is sent
 
+/// As costmap_2d names what it publishes, of the same type as the map, several times a second.
+bool isCostmap(const std::string& topic) {
+  const std::string name = "/costmap";
+  return topic.size() >= name.size() && topic.compare(topic.size() - name.size(), name.size(), name) == 0;
+}
+
 /// Plays the scans, odometry, transforms and map of a bag on /clock, scan, odom, /tf, /tf_static and map.
 ///
 /// The clock is the sensors', from which the recording computer's may differ. Where the bag has no transforms of its
@@ -98,8 +104,11 @@ void BagReplayPlayer::play(double rate, const std::function<void(const ros::Time
     if (!ros::ok()) {
       return;
     }
+    // What was recorded before the sensors' clock began, as a simulator's, is of its zero.
+    const auto received = static_cast<std::int64_t>(message.getTime().toNSec());
     ros::Time time;
-    time.fromNSec(message.getTime().toNSec() - static_cast<std::uint64_t>(drive_.clock_difference.value_or(0)));
+    time.fromNSec(
+        static_cast<std::uint64_t>(std::max<std::int64_t>(0, received - drive_.clock_difference.value_or(0))));
     waitUntil(time, rate);
     tellTime(time);
     at(time);
@@ -156,7 +165,7 @@ void BagReplayPlayer::publish(const rosbag::MessageInstance& message) {
   } else if (topic == drive_.static_transforms) {
     const auto transforms = messageOf<tf2_msgs::TFMessage>(message);
     if (transforms) static_transforms_.sendTransform(transforms->transforms);
-  } else if (const auto map = messageOf<nav_msgs::OccupancyGrid>(message)) {
+  } else if (const auto map = isCostmap(topic) ? nullptr : messageOf<nav_msgs::OccupancyGrid>(message)) {
     map_.publish(map);
   }
 }
