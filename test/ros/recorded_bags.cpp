@@ -316,6 +316,15 @@ TEST(RecordedBagTest, WhatFollowsInTimeIsOneRecordingAlsoInAFolder) {
   EXPECT_EQ(bagRecordings({first, second}, 0.05).size(), 2u) << "a longer pause is the end of a recording";
 }
 
+TEST(RecordedBagTest, AFolderGivesEachDriveOnceAndWhatWasCutOff) {
+  const test::ScratchFolder folder;
+  for (const char* name : {"a.bag", "a.orig.bag", "b.orig.bag", "c.bag.active", "c.bag.orig.active", "notes.txt"}) {
+    writeBytes(folder / name, "of no interest here");
+  }
+  const std::vector<BagParts> expected = {{folder / "a.bag"}, {folder / "b.orig.bag"}, {folder / "c.bag.active"}};
+  EXPECT_EQ(bagRecordings({folder.path().string()}, 2.0), expected);
+}
+
 TEST(RecordedBagTest, AFolderWithoutBagsIsRefused) {
   const test::ScratchFolder folder;
   const auto refusal = [&]() -> std::string {

@@ -30,10 +30,22 @@ struct TimedBag {
   double end = 0.0;    ///< s; before `begin` where the bag is empty or cannot be read
 };
 
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// Bags whose recording was cut off, too. Not the copy x.orig.bag that rosbag compress and reindex leave beside x.bag:
+/// the same drive a second time.
+bool isBag(const std::string& path) {
+  const std::string copy = ".orig.bag";
+  if (endsWith(path, copy) && fs::exists(path.substr(0, path.size() - copy.size()) + ".bag")) return false;
+  return endsWith(path, ".bag") || endsWith(path, ".bag.active");
+}
+
 std::vector<std::string> bagsIn(const std::string& folder) {
   std::vector<std::string> bags;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".bag" && entry.is_regular_file()) bags.push_back(entry.path().string());
+    if (isBag(entry.path().string()) && entry.is_regular_file()) bags.push_back(entry.path().string());
   }
   if (bags.empty()) {
     const bool is_of_ros2 = fs::exists(fs::path(folder) / "metadata.yaml");
