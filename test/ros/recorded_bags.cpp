@@ -257,6 +257,19 @@ TEST(RecordedBagTest, TheMountIsTheTransformsOrTheGivenOneAndNeverGuessed) {
   EXPECT_EQ(given.rejected(Rejection::kNoTransform), 0);
 }
 
+TEST(RecordedBagTest, ARobotFrameThatIsNotInTheTransformsIsReplaced) {
+  DriveBagContent content;
+  content.robot_frame = "base";
+  const std::string path = written("robot_frame.bag", content);
+  BagDriveOptions options;
+  options.base_frame = "base_footprint";
+  const Outcome outcome = recorded(path, options);
+  EXPECT_EQ(outcome.result.base_frame, "base_footprint");
+  EXPECT_DOUBLE_EQ(outcome.recording.episodes.at(0).steps.at(0).geometry.mount.pose.x, DriveBag::kMount);
+  options.base_frame = "base_link";
+  EXPECT_NE(refusalOf(path, options).find("has no transform from base to the scanner's frame"), std::string::npos);
+}
+
 /// What `rosbag record --split` makes of a recording: everything up to `seconds` after its begin, and the rest.
 BagParts split(const std::string& path, double seconds) {
   const std::string name = path.substr(0, path.rfind('.'));

@@ -223,8 +223,8 @@ class BagPlayer {
 class Survey : public BagListener {
  public:
   Survey(const BagDriveOptions& options, const RecorderParameters& parameters)
-      : order_(parameters.delay, parameters.max_gap) {
-    result.base_frame = frameName(options.base_frame);
+      : stand_in_(frameName(options.base_frame)), order_(parameters.delay, parameters.max_gap) {
+    result.base_frame = stand_in_;
   }
 
   void hear(const sensor_msgs::LaserScan& scan, const ros::Time& received) override {
@@ -259,12 +259,16 @@ class Survey : public BagListener {
   }
 
   /// A guess would make steps that look right and are wrong.
-  void requireMount(const tf2::BufferCore& tf) const {
+  void requireMount(const tf2::BufferCore& tf) {
     if (result.scan_frame.empty()) {
       throw std::invalid_argument(
           "has scans without a frame, expected one in header.frame_id, or the scanner's pose as "
           "--mount");
     }
+    // As ScannerMounts.
+    const bool stands_in =
+        !tf._frameExists(result.base_frame) && tf.canTransform(stand_in_, result.scan_frame, ros::Time(0));
+    if (stands_in) result.base_frame = stand_in_;
     if (result.scan_frame == result.base_frame || tf.canTransform(result.base_frame, result.scan_frame, ros::Time(0)))
       return;
     throw std::invalid_argument(
@@ -300,6 +304,7 @@ class Survey : public BagListener {
     while (const std::optional<DriveEvent> event = order_.take(all)) path_.push_back(std::get<OdometryHeard>(*event));
   }
 
+  std::string stand_in_;  ///< where the odometry does not name the robot's frame, or not as tf does
   EventOrder order_;
   std::vector<OdometryHeard> path_;
 };
