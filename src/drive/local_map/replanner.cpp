@@ -22,7 +22,7 @@ constexpr double kForgiving = 1.0;  ///< m that the robot must come nearer to th
 /// Tolerances within which a goal is near.
 constexpr double kNearGoalTolerances = 2.0;
 
-constexpr double kBlockedAhead = 0.3;  ///< m to the place that is taken as blocked
+constexpr double kBlockedAhead = 0.3;  ///< m at least to the place that is taken as blocked
 
 /// Points of a route for which memory is reserved.
 constexpr std::size_t kReserved = 256;
@@ -54,10 +54,16 @@ std::size_t passed(const LocalMap& memory, const Point2& here, const std::vector
   return next;
 }
 
+/// m to a place that leaves free where the robot stands.
+double blockedAhead(const MemoryParameters& parameters, const ShieldParameters& shield) {
+  return std::max(kBlockedAhead,
+                  footprintOf(shield).inscribedRadius() + shield.tight_clearance + parameters.resolution);
+}
+
 }  // namespace
 
 Replanner::Replanner(const MemoryParameters& parameters, const ShieldParameters& shield)
-    : memory_(parameters, shield), finder_(parameters.tightness) {
+    : memory_(parameters, shield), finder_(parameters.tightness), blocked_ahead_(blockedAhead(parameters, shield)) {
   route_.points.reserve(kReserved);
   found_.points.reserve(kReserved);
 }
@@ -188,13 +194,13 @@ Replanner::Answer Replanner::lookAround(const Situation& situation) {
 
 std::optional<Point2> Replanner::blockAhead() {
   if (!hasRoute()) return std::nullopt;
-  const Point2 place = pointAhead(kBlockedAhead);
+  const Point2 place = pointAhead(blocked_ahead_);
   memory_.block(place);
   return place;
 }
 
 Point2 Replanner::blockTowards(const Point2& here, const Point2& next) {
-  const Point2 place = pointAlong(here, directionTo(here, next), kBlockedAhead);
+  const Point2 place = pointAlong(here, directionTo(here, next), blocked_ahead_);
   memory_.block(place);
   return place;
 }

@@ -102,6 +102,7 @@ class Replanner {
 
   LocalMap memory_;
   RouteFinder finder_;
+  double blocked_ahead_;  ///< m
   Route route_;
   Route found_;
   double shortest_ = 0.0;              ///< m, of the shortest path that the last update() knew

@@ -268,6 +268,22 @@ TEST_F(ReplannerTest, KeepsItsPathToAGoalThatMovesALittle) {
   EXPECT_FALSE(goesAbove());
 }
 
+TEST_F(ReplannerTest, ARobotOfAnySizeKeepsItsOwnPlaceFreeWhereItIsBlockedAhead) {
+  for (const double radius : {0.2, 0.4, 0.6, 1.0}) {
+    AgentParameters parameters;
+    parameters.shield.footprint_radius = radius;
+    parameters.memory.resolution = 0.1 * (radius + parameters.memory.comfort);
+    validate(parameters);
+    Replanner guide(parameters.memory, parameters.shield);
+    guide.start();
+    const Situation here = returnsAt({});
+    ASSERT_EQ(guide.update(here, {6.0, 0.0}, 0.15), Answer::kRoute);
+    guide.blockAhead();
+    EXPECT_EQ(guide.update(here, {6.0, 0.0}, 0.15), Answer::kRoute) << radius;
+    EXPECT_GT(guide.route().length, 6.05) << radius;
+  }
+}
+
 TEST_F(ReplannerTest, BlockedAheadItLeadsAnotherWay) {
   start({4.0, 0.0});
   const Situation here = returnsAt({});
