@@ -272,7 +272,7 @@ TEST_F(ReplannerTest, ARobotOfAnySizeKeepsItsOwnPlaceFreeWhereItIsBlockedAhead) 
   for (const double radius : {0.2, 0.4, 0.6, 1.0}) {
     AgentParameters parameters;
     parameters.shield.footprint_radius = radius;
-    parameters.memory.resolution = 0.1 * (radius + parameters.memory.comfort);
+    parameters.memory.resolution = std::max(parameters.memory.resolution, 0.1 * (radius + parameters.memory.comfort));
     validate(parameters);
     Replanner guide(parameters.memory, parameters.shield);
     guide.start();
