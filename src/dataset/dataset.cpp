@@ -36,12 +36,6 @@ void writeRows(const Dataset& dataset, DatasetFile* file) {
   }
 }
 
-/// The sentence about `path` in place of the file under whose name it is written first, which nobody has asked for.
-std::string naming(const std::string& path, const std::string& part_path, std::string sentence) {
-  const std::size_t at = sentence.find(part_path);
-  return at == std::string::npos ? sentence : sentence.replace(at, part_path.size(), path);
-}
-
 }  // namespace
 
 std::string softwareVersion() { return LSTM_PLANNER_VERSION; }
@@ -72,17 +66,15 @@ void writeDataset(const std::string& path, const Dataset& dataset) {
   const std::string sentence = "dataset '" + path + "' cannot be written: ";
   std::error_code unknown;
   if (std::filesystem::exists(path, unknown)) throw DatasetError(sentence + "there is such a file already");
-  std::string part_path;
   try {
     OutputFile output(path, OutputFile::Existing::kRefuse);
-    part_path = output.partPath();
     {
-      DatasetFile file(part_path, DatasetFile::Use::kCreate, kPatience);
+      DatasetFile file(output.partPath(), DatasetFile::Use::kCreate, kPatience, path);
       file.transact([&] { writeRows(dataset, &file); });
     }
     output.commit();
-  } catch (const DatasetError& error) {
-    throw DatasetError(naming(path, part_path, error.what()));
+  } catch (const DatasetError&) {
+    throw;
   } catch (const std::exception& error) {
     throw DatasetError(sentence + error.what());
   }

@@ -46,8 +46,9 @@ constexpr std::int64_t kCallsOfAnEmptyFile = 1000;  // some tenths of a second
 
 }  // namespace
 
-DatasetFile::DatasetFile(const std::string& path, Use use, int patience) : path_(path), use_(use) {
-  const std::string sentence = "dataset '" + path + "' cannot be " + (use == Use::kRead ? "read: " : "written: ");
+DatasetFile::DatasetFile(const std::string& path, Use use, int patience, const std::string& name)
+    : path_(path), name_(name.empty() ? path : name), use_(use) {
+  const std::string sentence = "dataset '" + name_ + "' cannot be " + (use == Use::kRead ? "read: " : "written: ");
   if (path.empty()) throw DatasetError(sentence + "the path is empty");
   const bool was_there = isThere(path, sentence);
   if (!was_there && use != Use::kCreate) throw DatasetError(sentence + "there is no such file");
@@ -91,20 +92,20 @@ void DatasetFile::makeTables() {
 
 void DatasetFile::checkVersion() {
   if (numberOf("SELECT count(*) FROM sqlite_master") == 0) {
-    throw DatasetError("'" + path_ + "' is empty, expected a dataset");
+    throw DatasetError("'" + name_ + "' is empty, expected a dataset");
   }
   if (numberOf("PRAGMA application_id") != kDatasetApplicationId) {
-    throw DatasetError("'" + path_ + "' is a database, but not a dataset of lstm_planner");
+    throw DatasetError("'" + name_ + "' is a database, but not a dataset of lstm_planner");
   }
   const long version = numberOf("PRAGMA user_version").value_or(0);
   if (version != kDatasetSchemaVersion) {
-    throw DatasetError("dataset '" + path_ + "' has schema version " + std::to_string(version) + ", expected " +
+    throw DatasetError("dataset '" + name_ + "' has schema version " + std::to_string(version) + ", expected " +
                        std::to_string(kDatasetSchemaVersion) + ": it was made by a newer lstm_planner");
   }
   transact([this] {
     checkLength();
     const std::string flaw = flawOfSchema(*session_);
-    if (!flaw.empty()) throw DatasetError("'" + path_ + "' is no dataset of lstm_planner: " + flaw);
+    if (!flaw.empty()) throw DatasetError("'" + name_ + "' is no dataset of lstm_planner: " + flaw);
   });
 }
 
@@ -121,7 +122,7 @@ void DatasetFile::checkLength() {
   std::error_code error;
   const auto length = std::filesystem::file_size(path_, error);
   if (error || static_cast<long>(length) < expected) {
-    throw DatasetError("dataset '" + path_ + "' is damaged: it is " + std::to_string(length) +
+    throw DatasetError("dataset '" + name_ + "' is damaged: it is " + std::to_string(length) +
                        " bytes long, expected " + std::to_string(expected));
   }
 }
@@ -149,7 +150,7 @@ std::string DatasetFile::reason(const std::exception& error) const {
 void DatasetFile::fail(const std::exception& error) {
   const auto* known = dynamic_cast<const DatasetError*>(&error);
   const std::string sentence = known != nullptr ? known->what()
-                                                : "dataset '" + path_ + "' cannot be " +
+                                                : "dataset '" + name_ + "' cannot be " +
                                                       (use_ == Use::kRead ? "read: " : "written: ") + reason(error);
   if (in_transaction_) {
     in_transaction_ = false;

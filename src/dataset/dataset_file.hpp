@@ -43,8 +43,8 @@ class DatasetFile {
   };
 
   /// `patience`: ms to wait for others who have the file locked. Throws DatasetError when it is missing, no dataset,
-  /// damaged, or of a newer schema.
-  DatasetFile(const std::string& path, Use use, int patience);
+  /// damaged, or of a newer schema. `name`: what sentences call it; the path where it is empty.
+  DatasetFile(const std::string& path, Use use, int patience, const std::string& name = "");
   DatasetFile(const DatasetFile&) = delete;
   DatasetFile& operator=(const DatasetFile&) = delete;
 
@@ -87,6 +87,7 @@ class DatasetFile {
   [[noreturn]] void fail(const std::exception& error);
 
   std::string path_;
+  std::string name_;
   Use use_;
   bool in_transaction_ = false;
   std::optional<QueryGuard> guard_;  ///< outlives the session, which calls it
