@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/predicate.hpp>
 #include <cstdint>
 #include <fstream>
 #include <limits>
@@ -327,9 +328,7 @@ class Recorder : public BagListener {
   void hearGoal(const rosbag::MessageInstance& message) override {
     const std::string topic = absoluteTopic(message.getTopic()).substr(1);
     // As the node itself calls the goals that it publishes there.
-    const std::string own = "dataset_recorder/goal";
-    const bool is_own = topic.size() >= own.size() && topic.compare(topic.size() - own.size(), own.size(), own) == 0;
-    const std::string source = is_own ? "waypoints" : topic;
+    const std::string source = boost::algorithm::ends_with(topic, "dataset_recorder/goal") ? "waypoints" : topic;
     if (const auto goal = messageOf<geometry_msgs::PoseStamped>(message)) {
       messages_.hearGoal(*goal, source, message.getTime());
     } else if (const auto action = messageOf<move_base_msgs::MoveBaseActionGoal>(message)) {

@@ -2,6 +2,7 @@
 #include <rosbag/view.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
 #include <cstdint>
 #include <exception>
@@ -30,16 +31,13 @@ struct TimedBag {
   double end = 0.0;    ///< s; before `begin` where the bag is empty or cannot be read
 };
 
-bool endsWith(const std::string& text, const std::string& end) {
-  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 /// Bags whose recording was cut off, too. Not the copy x.orig.bag that rosbag compress and reindex leave beside x.bag:
 /// the same drive a second time.
 bool isBag(const std::string& path) {
   const std::string copy = ".orig.bag";
-  if (endsWith(path, copy) && fs::exists(path.substr(0, path.size() - copy.size()) + ".bag")) return false;
-  return endsWith(path, ".bag") || endsWith(path, ".bag.active");
+  if (boost::algorithm::ends_with(path, copy) && fs::exists(path.substr(0, path.size() - copy.size()) + ".bag"))
+    return false;
+  return boost::algorithm::ends_with(path, ".bag") || boost::algorithm::ends_with(path, ".bag.active");
 }
 
 std::vector<std::string> bagsIn(const std::string& folder) {

@@ -14,6 +14,7 @@
 #include <tf2_ros/static_transform_broadcaster.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
 #include <cstdint>
 #include <functional>
 #include <iterator>
@@ -40,10 +41,7 @@ const ros::WallDuration kSettling(0.5);  // within which a computer that is not 
 constexpr int kQueue = 1000;             // what is played as fast as possible comes faster than it is sent
 
 /// As costmap_2d names what it publishes, of the same type as the map, several times a second.
-bool isCostmap(const std::string& topic) {
-  const std::string name = "/costmap";
-  return topic.size() >= name.size() && topic.compare(topic.size() - name.size(), name.size(), name) == 0;
-}
+bool isCostmap(const std::string& topic) { return boost::algorithm::ends_with(topic, "/costmap"); }
 
 /// Plays the scans, odometry, transforms and map of a bag on /clock, scan, odom, /tf, /tf_static and map.
 ///
