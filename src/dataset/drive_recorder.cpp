@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "lstm_planner/drive/perception/reach.hpp"
@@ -185,9 +186,10 @@ void DriveRecorder::sample(const ScanHeard& scan) {
     return;
   }
   goal_position_ = toParentFrame(*frame, {goal_->pose.x, goal_->pose.y});
-  if (!isInReach(situation_->pose, goal_position_)) {
-    reject(Rejection::kNotFinite, "the goal is too far away");
-    return;
+  try {
+    checkGoal(situation_->pose, goal_position_);
+  } catch (const std::invalid_argument& error) {
+    return reject(Rejection::kNotFinite, error.what());
   }
   if (isAt(goal_position_, situation_->pose)) {
     endEpisode(EpisodeEnd::kArrived);
