@@ -81,8 +81,9 @@ int runReport(const std::vector<std::string>& arguments) {
 
   std::ostringstream report;
   report << "# Agents of the grid world\n\n" << rulesText(options.grid) << "\n\n";
-  report << reportTables(comparison);
-  std::cout << reportTables(comparison) << std::flush;
+  const std::string tables = reportTables(comparison);
+  report << tables;
+  std::cout << tables << std::flush;
   writeTextFile(options.output + "/tables.csv", reportCsv(comparison));
   writeFigures(comparison, trainingTasks(options.grid), options.grid.evaluation, options.output, report);
   writeTextFile(options.output + "/report.md", report.str());
