@@ -6,6 +6,7 @@
 #include "dataset/numpy_array.hpp"
 #include "dataset/step_quantities.hpp"
 #include "lstm_planner/dataset/dataset_export.hpp"
+#include "support/refusal.hpp"
 #include "support/shell.hpp"
 #include "unit/dataset/dataset_fixtures.hpp"
 
@@ -129,7 +130,8 @@ TEST_F(DatasetExport, SaysWhenTheFileCannotBeWritten) {
 TEST_F(DatasetExport, HasOneMeaningOfTheLabelsInArrays) {
   Dataset dataset = example();
   dataset.recordings[1].description.parameters.action_angles[0] = -1.4;
-  EXPECT_THROW(exportNumpy(in("a.npz"), dataset, false), DatasetError);
+  EXPECT_EQ(test::refusalOf<DatasetError>([&] { exportNumpy(in("a.npz"), dataset, false); }),
+            "'" + in("a.npz") + "' is not written: the labels of its recordings stand for different angles");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <clocale>
+#include <locale>
 #include <string>
 #include <vector>
 
@@ -51,13 +52,19 @@ TEST(DriveView, ShowsTheActionsFromLeftToRight) {
   EXPECT_FALSE(actions[2].chosen);
 }
 
+struct DecimalComma : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+};
+
 TEST(DriveView, ReadsNumbersWhereTheLocaleHasACommaInThem) {
   const std::string before = std::setlocale(LC_NUMERIC, nullptr);
-  std::setlocale(LC_NUMERIC, "de_DE.UTF-8");  // where it is installed
+  const std::locale streams = std::locale::global(std::locale(std::locale(), new DecimalComma));
+  std::setlocale(LC_NUMERIC, "de_DE.UTF-8");  // of C's functions, where it is installed
   DriveView view;
   view.hearDecision(networkDecision(), 10.0);
   const std::vector<ViewAction> actions = view.actions(10.0);
   const std::string goal = view.goal(10.0);
+  std::locale::global(streams);
   std::setlocale(LC_NUMERIC, before.c_str());
   ASSERT_EQ(actions.size(), 5u);
   EXPECT_EQ(actions[1].name, "45° left");
