@@ -72,7 +72,8 @@ std::string folderOf(const std::string& path) {
 }  // namespace
 
 OutputFile::OutputFile(const std::string& path, Existing existing)
-    : path_(targetOf(path)), existing_(existing), is_direct_(isSpecial(path) || standardStream(path) != nullptr) {
+    : path_(targetOf(path)), existing_(existing), standard_(standardStream(path)) {
+  is_direct_ = isSpecial(path) || standard_ != nullptr;
   static std::atomic<int> count{0};
   part_path_ = is_direct_ ? path : path_ + ".part-" + std::to_string(::getpid()) + "-" + std::to_string(++count);
   journal_path_ = part_path_ + "-journal";  // SQLite's
@@ -91,7 +92,7 @@ OutputFile::~OutputFile() {
 }
 
 std::ostream& OutputFile::stream() {
-  if (std::ostream* const standard = standardStream(part_path_)) return *standard;
+  if (standard_ != nullptr) return *standard_;
   if (stream_.is_open()) return stream_;
   stream_.open(part_path_, std::ios::binary | std::ios::trunc);
   if (!stream_) failWith(errno);
@@ -99,8 +100,7 @@ std::ostream& OutputFile::stream() {
 }
 
 void OutputFile::commit() {
-  std::ostream* const standard = standardStream(part_path_);
-  if (standard != nullptr && !standard->flush()) failWith(EIO);
+  if (standard_ != nullptr && !standard_->flush()) failWith(EIO);
   if (stream_.is_open()) {
     stream_.close();
     if (!stream_) failWith(reasonOf(part_path_));

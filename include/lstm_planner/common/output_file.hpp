@@ -40,6 +40,7 @@ class OutputFile {
 
   std::string path_;
   Existing existing_;
+  std::ostream* standard_;  ///< of the process, if it is its name; else none
   bool is_direct_ = false;
   std::string part_path_;
   std::string journal_path_;
