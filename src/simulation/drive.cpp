@@ -28,7 +28,6 @@ class ControlledRobot : public LoopRobot {
         correct_drift_(correct_drift),
         listener_(listener),
         tracker_(parameters.motion) {
-    tracker_.expectReactionTime(parameters.robot.longestScanPeriod(), 0.0, kControlPeriod);
     const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry starts at the start
     goal_ = {goal.x, goal.y, 0.0};
   }
@@ -63,6 +62,7 @@ class ControlledRobot : public LoopRobot {
       rollOut(situation, bent.value_or(decision), agent.shield(), goal_, agent.parameters(), parameters_.rollout,
               &plan_);
     }
+    tracker_.expectReactionTime(parameters_.robot.longestScanPeriod(), 0.0, kControlPeriod);
     const MotionCommand command =
         tracker_.compute(plan_, situation, robot_.measuredTwist(), agent.shield(), kControlPeriod);
     if (command.stop != StopReason::kStuck) stuck_since_.reset();

@@ -46,6 +46,7 @@ MotionCommand PathTracker::compute(const std::vector<Pose2>& plan, const Situati
   history_.goes_back = command.goes_back;
   if (!command.goes_back) way_out_.clear();
   history_.note(command, controller_.reactionTime(), period);
+  reaction_.note(twist.angular, command.angular, period, controller_.parameters().reaction_time);
   return command;
 }
 
@@ -83,6 +84,7 @@ void PathTracker::forget() {
   way_out_.clear();
   wedged_at_.reset();
   patience_.clear();
+  reaction_.forget();
   history_ = {};
 }
 

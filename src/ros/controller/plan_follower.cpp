@@ -1,5 +1,6 @@
 #include "ros/controller/plan_follower.hpp"
 
+#include <ros/console.h>
 #include <ros/node_handle.h>
 #include <ros/time.h>
 
@@ -91,9 +92,20 @@ MotionCommand PlanFollower::compute() {
   tracker_.expectReactionTime(reading.scan_period, now.toSec() - oldest, period);
   speed_ = std::abs(reading.twist.linear);
   MotionCommand command = tracker_.compute(odometry_plan, seen_, reading.twist, shield_, period);
+  sayDelay();
   idle_.note(reading.newest_pose, now.toSec(), {command.linear, command.angular});
   if (command.stop == StopReason::kNone && idle_.idle() > 0.0) command.stop = StopReason::kIdle;
   return command;
+}
+
+void PlanFollower::sayDelay() {
+  if (tracker_.delayOfBase() <= told_delay_) return;
+  told_delay_ = tracker_.delayOfBase();
+  ROS_WARN(
+      "the robot turns %.2f s after it is told to, longer than reaction_time = %.2f s allows for: from now on the "
+      "controller turns and brakes for this delay. Is there a velocity smoother, a mux or a slow link before the base? "
+      "Add its delay to reaction_time",
+      told_delay_, parameters_.motion.reaction_time);
 }
 
 std::string PlanFollower::whyIdle() const {

@@ -66,6 +66,7 @@ class PlanFollower {
   void checkPlanAge(const ros::Time& now) const;
   Pose2 odometryFromPlan(const std::string& odometry_frame, const ros::Time& now) const;
   void perceive(const SensorReading& reading, const ros::Time& now);
+  void sayDelay();
 
   SteeringControllerParameters parameters_;
   double reach_;  ///< m, within which obstacles are looked at
@@ -85,6 +86,7 @@ class PlanFollower {
   Situation seen_;              ///< by the scans of the current call
   std::vector<Point2> marked_;  ///< of the costmap, not of the scans; base frame, m
   double speed_ = 0.0;          ///< m/s
+  double told_delay_ = 0.0;     ///< s, of the base; the longest that was said
   long jumps_ = 0;              ///< of the odometry, until the last call
 };
 

@@ -6,6 +6,7 @@
 
 #include "lstm_planner/drive/motion/motion_controller.hpp"
 #include "lstm_planner/drive/motion/patience.hpp"
+#include "lstm_planner/drive/motion/reaction_watch.hpp"
 #include "lstm_planner/drive/motion/trail.hpp"
 #include "lstm_planner/drive/perception/moving_surroundings.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
@@ -34,11 +35,14 @@ class PathTracker {
   }
 
   /// What moves is seen every `scan_period` s, or `scan_age` s ago where scans come late, and answered every
-  /// `control_period` s; see MotionController.
+  /// `control_period` s; see MotionController. The base may take as long as it was seen to.
   void expectReactionTime(double scan_period, double scan_age, double control_period) {
     constexpr double kDriverPeriod = 0.1;  // s, of the slowest usual base drivers
-    controller_.expectReactionTime(std::max(scan_period, scan_age) + control_period + kDriverPeriod);
+    controller_.expectReactionTime(std::max(scan_period, scan_age) + control_period +
+                                   std::max(kDriverPeriod, reaction_.delay()));
   }
+  /// Of the base, s; 0 as long as it is not seen to be longer than expected.
+  double delayOfBase() const { return reaction_.delay(); }
 
   /// The odometry jumped: what was seen is somewhere else now.
   void forget();
@@ -58,6 +62,7 @@ class PathTracker {
   MotionHistory history_;
   Patience patience_;
   MovingSurroundings moving_;
+  ReactionWatch reaction_;
 };
 
 }  // namespace lstm_planner
