@@ -10,6 +10,7 @@ namespace {
 constexpr double kKept = 1.0;            // s
 constexpr std::size_t kMostKept = 2000;  // entries: where stamps hardly go on, the oldest are forgotten
 constexpr double kContinued = 0.2;       // s
+constexpr double kSpeedOver = 0.05;      // s, at least, from which a speed is taken
 constexpr double kJumpSlack = 0.25;      // m, what rounding and late stamps may add
 constexpr double kMaxTurnRate = 6.0;     // rad/s
 constexpr double kTurnJumpSlack = 0.5;   // rad
@@ -56,9 +57,16 @@ Pose2 OdometryHistory::poseAt(double stamp) const {
   if (entries_.size() == 1 || stamp <= entries_.front().stamp) {
     return entries_.front().pose;
   }
+  if (stamp > newest().stamp) {
+    // Drivers that read several packets at once stamp them at nearly the same time: no speed is between these.
+    const auto next = std::upper_bound(entries_.begin(), entries_.end(), newest().stamp - kSpeedOver,
+                                       [](double time, const Entry& entry) { return time < entry.stamp; });
+    if (next == entries_.begin()) return newest().pose;
+    return between(*(next - 1), newest(), std::min(stamp, newest().stamp + kContinued));
+  }
   const auto later = std::lower_bound(entries_.begin() + 1, entries_.end() - 1, stamp,
                                       [](const Entry& entry, double time) { return entry.stamp < time; });
-  return between(*(later - 1), *later, std::min(stamp, newest().stamp + kContinued));
+  return between(*(later - 1), *later, stamp);
 }
 
 }  // namespace lstm_planner

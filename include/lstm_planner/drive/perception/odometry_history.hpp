@@ -30,8 +30,8 @@ class OdometryHistory {
   bool empty() const { return entries_.empty(); }
   const Entry& newest() const { return entries_.back(); }
 
-  /// The pose at `stamp`: interpolated, or, up to 0.2 s beyond the newest entry, continued at the speed between the
-  /// last two. The nearest known pose for anything farther away. Requires !empty().
+  /// The pose at `stamp`: interpolated, or, up to 0.2 s beyond the newest entry, continued at the speed of at least the
+  /// last 0.05 s. The nearest known pose for anything farther away. Requires !empty().
   Pose2 poseAt(double stamp) const;
 
   /// The robot's speed, which is not always what the newest entry says.

@@ -15,5 +15,21 @@ TEST(OdometryHistory, KeepsABoundedNumberOfEntriesWhereStampsHardlyGoOn) {
   EXPECT_EQ(history.jumps(), 0);
 }
 
+TEST(OdometryHistory, ContinuesAtTheSpeedOfTheRobotWhereMessagesComeInABunch) {
+  // 0.5 m/s at 50 Hz, but the last two were read from the wire at once.
+  OdometryHistory history(1.0);
+  for (const double stamp : {0.0, 0.02, 0.04, 0.06, 0.08}) history.add({stamp, {0.5 * stamp, 0.0, 0.0}, {}});
+  history.add({0.0801, {0.05, 0.0, 0.0}, {}});
+  EXPECT_NEAR(history.poseAt(0.1).x, 0.06, 0.01);
+  EXPECT_NEAR(history.poseAt(10.0).x, 0.05 + 0.5 * 0.2, 0.05);
+}
+
+TEST(OdometryHistory, DoesNotTellASpeedFromTwoMessagesOfABunch) {
+  OdometryHistory history(1.0);
+  history.add({0.0, {}, {}});
+  history.add({1e-4, {0.01, 0.0, 0.0}, {}});
+  EXPECT_EQ(history.poseAt(0.1).x, 0.01);
+}
+
 }  // namespace
 }  // namespace lstm_planner::test_odometry_history
