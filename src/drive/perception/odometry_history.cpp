@@ -11,6 +11,7 @@ constexpr double kKept = 1.0;            // s
 constexpr std::size_t kMostKept = 2000;  // entries: where stamps hardly go on, the oldest are forgotten
 constexpr double kContinued = 0.2;       // s
 constexpr double kSpeedOver = 0.05;      // s, at least, from which a speed is taken
+constexpr double kLongestDrive = 1.0;    // s that a robot drives without odometry: then its controller stops it
 constexpr double kJumpSlack = 0.25;      // m, what rounding and late stamps may add
 constexpr double kMaxTurnRate = 6.0;     // rad/s
 constexpr double kTurnJumpSlack = 0.5;   // rad
@@ -44,10 +45,10 @@ void OdometryHistory::add(const Entry& entry) {
 }
 
 bool OdometryHistory::follows(const Entry& entry) const {
-  const double elapsed = entry.stamp - newest().stamp;
-  if (elapsed < 0.0) {
+  if (entry.stamp < newest().stamp) {
     return false;
   }
+  const double elapsed = std::min(entry.stamp - newest().stamp, kLongestDrive);
   const double turned = std::abs(normalizeAngle(entry.pose.yaw - newest().pose.yaw));
   return distanceBetween(newest().pose, entry.pose) <= max_speed_ * elapsed + kJumpSlack &&
          turned <= kMaxTurnRate * elapsed + kTurnJumpSlack;

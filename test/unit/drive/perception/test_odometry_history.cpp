@@ -31,5 +31,14 @@ TEST(OdometryHistory, DoesNotTellASpeedFromTwoMessagesOfABunch) {
   EXPECT_EQ(history.poseAt(0.1).x, 0.01);
 }
 
+TEST(OdometryHistory, NoticesThatTheOdometryStartedAgainAfterAPause) {
+  OdometryHistory history(1.0);
+  history.add({0.0, {4.0, 0.0, 0.0}, {}});
+  history.add({5.0, {4.0, 0.0, 0.0}, {}});
+  EXPECT_EQ(history.jumps(), 0) << "it stood";
+  history.add({10.0, {0.0, 0.0, 0.0}, {}});
+  EXPECT_EQ(history.jumps(), 1) << "without odometry nothing drives it by 4 m";
+}
+
 }  // namespace
 }  // namespace lstm_planner::test_odometry_history
