@@ -52,9 +52,10 @@ class StandWatch {
 
  private:
   static constexpr double kMoved = 0.1;  // m; more than odometry's noise, less than the slowest robot drives in seconds
-  static constexpr double kTurned = 0.3;         // rad
-  static constexpr double kSameGoal = 0.25;      // m
-  static constexpr std::size_t kMostPlaces = 8;  // less than 1 m
+  static constexpr double kTurned = 0.3;                  // rad
+  static constexpr double kMostTurns = 10.0 * kFullTurn;  // rad at a place; who looks around often turns less
+  static constexpr double kSameGoal = 0.25;               // m
+  static constexpr std::size_t kMostPlaces = 8;           // less than 1 m
 
   /// Where it was, and how far it had turned there, rad; not wrapped.
   struct Place {
@@ -73,7 +74,8 @@ class StandWatch {
       if (places_.size() > kMostPlaces) places_.pop_front();
       return true;
     }
-    const bool turns_on = heading_ < known->rightmost - kTurned || heading_ > known->leftmost + kTurned;
+    const bool turns_on = (heading_ < known->rightmost - kTurned || heading_ > known->leftmost + kTurned) &&
+                          known->leftmost - known->rightmost < kMostTurns;
     if (turns_on) {
       known->rightmost = std::min(known->rightmost, heading_);
       known->leftmost = std::max(known->leftmost, heading_);

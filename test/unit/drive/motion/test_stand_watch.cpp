@@ -62,5 +62,14 @@ TEST_F(StandWatchTest, CountsRetriesUntilItGetsAway) {
   EXPECT_EQ(watch.retries(), 0);
 }
 
+TEST_F(StandWatchTest, ARobotThatSpinsGetsAwayFromNothing) {
+  // As one whose motors are connected the wrong way round.
+  StandWatch watch;
+  for (double time = 0.0; time < 100.0; time += kPeriod) {
+    watch.note({0.0, 0.0, normalizeAngle(1.5 * time)}, time, kGoal, true);
+  }
+  EXPECT_GT(watch.tried(), 50.0);
+}
+
 }  // namespace
 }  // namespace lstm_planner::test_stand_watch
