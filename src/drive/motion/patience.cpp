@@ -12,6 +12,7 @@ constexpr double kGivesUpFor = 3.0;  // times the limit
 constexpr double kWayAhead = 0.3;    // m along the plan to where it leads
 constexpr double kAnotherWay = 1.0;  // rad
 constexpr int kMostRetries = 4;      // until the robot gets away
+constexpr double kPause = 2.0;       // s without a question, in which nobody expected it to get away
 
 }  // namespace
 
@@ -21,6 +22,9 @@ Patience::Left Patience::note(double limit, const MotionCommand& command, const 
     clear();
     return Left::kMuch;
   }
+  // Between two drives, or while scans were missing. But who gave up has still given up after a recovery.
+  if (!gave_up_towards_ && situation.time - asked_ > kPause) stand_.excuse(situation.time);
+  asked_ = situation.time;
   stand_.note(situation.pose, situation.time, {plan.back().x, plan.back().y},
               command.linear != 0.0 || command.angular != 0.0);
   const bool is_excused = command.stop == StopReason::kPerson || command.stop == StopReason::kArrived;

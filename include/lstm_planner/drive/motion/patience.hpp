@@ -29,6 +29,7 @@ class Patience {
   bool leadsAnotherWay(const std::vector<Pose2>& plan, const Pose2& pose);
 
   StandWatch stand_;
+  double asked_ = 0.0;                     ///< s, when it was asked last
   std::optional<double> gave_up_towards_;  ///< rad, odometry frame
 };
 

@@ -56,6 +56,22 @@ TEST_F(PathTrackerTest, TriesAgainWhenThePlanLeadsAnotherWay) {
   EXPECT_NE(follow(1.1, kPeriod), StopReason::kStuck);
 }
 
+/// As by a pause that cancels the goal and sends it again, or by another heading where the robot has arrived.
+TEST_F(PathTrackerTest, DoesNotCountThePauseBetweenTwoDrives) {
+  situation_.obstacles.clear();
+  shield_.show({});
+  ASSERT_EQ(follow(0.0, kPeriod), StopReason::kNone) << "not held by anything";
+  situation_.time += 2.0 * kPatience;
+  EXPECT_EQ(follow(0.0, kPeriod), StopReason::kNone);
+  EXPECT_EQ(follow(0.0, kPatience + 0.5), StopReason::kStuck);
+}
+
+TEST_F(PathTrackerTest, GivesUpAfterThePauseOfARecovery) {
+  ASSERT_EQ(follow(0.0, kPatience + 0.5), StopReason::kStuck);
+  situation_.time += kPatience;
+  EXPECT_EQ(follow(0.0, kPeriod), StopReason::kStuck);
+}
+
 /// A Jackal in a corridor that is too narrow to turn in, and which ends 0.4 m ahead; the plan leads back. Half of its
 /// patience passes before it plans, all of it may pass on the way. While it goes there it keeps half of the margin.
 TEST(PathTracker, LeadsAWedgedRobotToWhereItCanTurn) {
