@@ -196,6 +196,24 @@ TEST_F(RecorderTest, TheRunningEpisodeOrElseTheLastOneIsDiscarded) {
   EXPECT_EQ(stepCount(dataset), static_cast<long>(episodes[2].steps.size()));
 }
 
+TEST_F(RecorderTest, AGoalThatWasJustGivenStaysTheGoalWhereAnEpisodeIsDiscarded) {
+  start();
+  giveGoal(goalAt(5.0, 0.0));
+  drive({0.8, 0.0, 0.0}, 4.0);
+  giveGoal(goalAt(6.0, 0.0));
+  EXPECT_TRUE(trigger("discard_episode").success);
+  drive({1.6, 0.0, 0.0}, 4.0);
+  giveCancel("");
+  EXPECT_TRUE(trigger("discard_episode").success);
+  drive({2.4, 0.0, 0.0}, 4.0);
+  const Dataset dataset = finish();
+  std::vector<double> goals;
+  for (const RecordedEpisode& episode : dataset.recordings.at(0).episodes) {
+    if (!episode.steps.empty()) goals.push_back(episode.episode.goal.pose.x);
+  }
+  EXPECT_EQ(goals, (std::vector<double>{5.0, 6.0})) << "and cancelled, in the end";
+}
+
 TEST_F(RecorderTest, WhatIsNotFiniteIsCountedAndNotRecorded) {
   start();
   giveGoal(goalAt(5.0, 0.0));

@@ -293,7 +293,9 @@ bool DatasetRecorder::discardEpisode(std_srvs::Trigger::Request&, std_srvs::Trig
     const std::string source = progress_.newest()->episode.goal_source;
     if (recorder.inEpisode()) {
       recorder.endEpisode(EpisodeEnd::kAborted);
-      if (goal) recorder.add(GoalHeard{goalHeardNow().toSec(), *goal, source});
+      // As of the last sample: a goal, or its end, that was just heard and is not worked on yet comes after it.
+      goal_stamp_ = odometry_stamp_;
+      if (goal) recorder.add(GoalHeard{recorder.situation()->time, *goal, source});
     }
     if (!file_.discardEpisode()) return;
     progress_.discardEpisode();
