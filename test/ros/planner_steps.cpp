@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "ros/fixtures/planner_fixture.hpp"
 #include "ros/fixtures/ros_program.hpp"
 
@@ -97,6 +99,33 @@ TEST_F(PlannerTest, WithoutAnnouncementsANewGoalIsNoticedByItsPose) {
     return decisions.count() > before;
   }));
   EXPECT_EQ(decisions.newest().at("step"), "1");
+}
+
+/// move_base_flex announces a goal before each plan, as it was given, and asks for it in the costmap's frame.
+TEST_F(PlannerTest, InMoveBaseFlexAGoalIsNewOnce) {
+  ros::param::set("~/planners", std::vector<std::string>{"a list of planners"});
+  DecisionListener decisions("LstmGlobalPlanner");
+  for (const char* topic : {"planner_goal", "current_goal"}) {
+    robot_.moveTo({}, 10.0);
+    auto planner = makePlanner();
+    ros::NodeHandle node("~");
+    const auto goals = node.advertise<geometry_msgs::PoseStamped>(topic, 1);
+    std::atomic<int> heard{0};
+    const auto hear = [&](const geometry_msgs::PoseStamped::ConstPtr&) { ++heard; };
+    const auto after_the_planner = node.subscribe<geometry_msgs::PoseStamped>(topic, 1, hear);
+    ASSERT_TRUE(eventually([&] { return goals.getNumSubscribers() > 0 && decisions.connected(); }));
+    const auto step = [&] {
+      const int before = heard;
+      goals.publish(stampedPose("map", compose(robot_.odometryInMap(), kGoal)));
+      EXPECT_TRUE(eventually([&] { return heard > before; }));
+      return decide(planner.get(), stampedPose("odom", kGoal), &decisions).at("step");
+    };
+    EXPECT_EQ(step(), "1");
+    moveTo(planner.get(), {0.5, 0.0, 0.0}, 0.9);
+    EXPECT_EQ(step(), "2");
+    moveTo(planner.get(), {0.5, 0.0, 0.0}, 1.1);
+    EXPECT_EQ(step(), "1") << "sent again";
+  }
 }
 
 TEST_F(PlannerTest, OdometryJumpForgetsThePathAndKeepsTheGoal) {

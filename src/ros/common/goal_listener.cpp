@@ -12,13 +12,14 @@ namespace lstm_planner {
 
 GoalListener::GoalListener(ros::NodeHandle node_handle, ros::NodeHandle private_node_handle)
     : goal_subscriber_(private_node_handle.subscribe("current_goal", 1, &GoalListener::onGoal, this)),
+      planner_goal_subscriber_(private_node_handle.subscribe("planner_goal", 1, &GoalListener::onGoal, this)),
       result_subscriber_(node_handle.subscribe("move_base/result", 1, &GoalListener::onResult, this)) {}
 
 void GoalListener::onGoal(const geometry_msgs::PoseStamped::ConstPtr& goal) {
   try {
-    const GoalInFrame announced = goalFromMessage(*goal);
+    goalFromMessage(*goal);
     const std::lock_guard<std::mutex> lock(mutex_);
-    announcement_ = announced;
+    announcement_ = *goal;
   } catch (const std::invalid_argument& error) {
     ROS_WARN_THROTTLE(2.0, "an announced goal is not used: %s", error.what());
   }
@@ -34,7 +35,7 @@ bool GoalListener::takeSuccess() {
   return std::exchange(has_succeeded_, false);
 }
 
-std::optional<GoalInFrame> GoalListener::takeAnnouncement() {
+std::optional<geometry_msgs::PoseStamped> GoalListener::takeAnnouncement() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return std::exchange(announcement_, std::nullopt);
 }

@@ -13,14 +13,15 @@
 namespace lstm_planner {
 
 /// Hears the goals that the executor accepts, and that it reports as reached: move_base publishes each on
-/// ~current_goal, and how it ended on move_base/result. Thread safe.
+/// ~current_goal, and how it ended on move_base/result. move_base_flex publishes it before each plan, on ~current_goal
+/// or, since 2024, on ~planner_goal. Thread safe.
 class GoalListener {
  public:
   /// `node_handle`, `private_node_handle`: of the executor, in the thread that the messages come in.
   GoalListener(ros::NodeHandle node_handle, ros::NodeHandle private_node_handle);
 
   /// The newest announcement since the last call, if there was any.
-  std::optional<GoalInFrame> takeAnnouncement();
+  std::optional<geometry_msgs::PoseStamped> takeAnnouncement();
   /// Whether a goal was reported as reached since the last call.
   bool takeSuccess();
 
@@ -29,9 +30,10 @@ class GoalListener {
   void onResult(const move_base_msgs::MoveBaseActionResult::ConstPtr& result);
 
   std::mutex mutex_;
-  std::optional<GoalInFrame> announcement_;
+  std::optional<geometry_msgs::PoseStamped> announcement_;
   bool has_succeeded_ = false;
   ros::Subscriber goal_subscriber_;
+  ros::Subscriber planner_goal_subscriber_;
   ros::Subscriber result_subscriber_;
 };
 

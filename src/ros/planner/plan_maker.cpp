@@ -204,7 +204,7 @@ bool PlanMaker::isDriftCorrected(const SensorReading& reading) const {
 
 void PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {
   if (const auto announced = goals_.takeAnnouncement()) {
-    tracker_.announce(*announced);
+    tracker_.announce(announcedIn(goal.frame, *announced));
   }
   verdict_ = tracker_.ask(goal, now_.toSec());
   if (verdict_ == GoalTracker::Verdict::kNewGoal) {
@@ -212,6 +212,18 @@ void PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {
   } else if (verdict_ == GoalTracker::Verdict::kDriven) {
     // A goal given in a frame that moves (the robot's own) stays where it was when it was given.
     *goal_in_global_frame = driven_goal_;
+  }
+}
+
+/// As it will be asked for: move_base_flex announces a goal as it was given, and since 0.4.0 asks for it in the frame
+/// of the costmap.
+GoalInFrame PlanMaker::announcedIn(const std::string& frame, const geometry_msgs::PoseStamped& message) const {
+  const GoalInFrame goal = goalFromMessage(message);
+  if (frame != global_frame_) return goal;
+  try {
+    return {frame, compose(frames_.transformAt(frame, goal.frame, message.header.stamp, now_), goal.pose)};
+  } catch (const FrameError&) {
+    return goal;
   }
 }
 
