@@ -137,6 +137,14 @@ TEST_F(ControllerTest, FollowsAPlanInAnotherFrame) {
   EXPECT_NEAR(velocity_.angular.z, 0.0, 1e-6);
 }
 
+TEST_F(ControllerTest, FollowsAPlanWithoutHeadings) {
+  auto plan = straightPlan("odom", {}, 3.0);
+  for (auto& pose : plan) pose.pose.orientation = geometry_msgs::Quaternion();
+  EXPECT_TRUE(controller_->setPlan(plan));
+  ASSERT_TRUE(computeAt({}));
+  EXPECT_GT(velocity_.linear.x, 0.0);
+}
+
 TEST_F(ControllerTest, RefusesAPlanThatIsNotFiniteOrNotInOneFrame) {
   auto plan = straightPlan("odom", {}, 1.0);
   plan[3].pose.position.x = std::numeric_limits<double>::quiet_NaN();

@@ -40,6 +40,8 @@ Pose2 fromMessage(const geometry_msgs::Pose& message) {
   return {message.position.x, message.position.y, yawOf(message.orientation)};
 }
 
+bool isZero(const geometry_msgs::Quaternion& q) { return q.x == 0.0 && q.y == 0.0 && q.z == 0.0 && q.w == 0.0; }
+
 Pose2 fromMessage(const geometry_msgs::Transform& message) {
   return {message.translation.x, message.translation.y, yawOf(message.rotation)};
 }

@@ -42,8 +42,7 @@ std::optional<geometry_msgs::PoseStamped> GoalListener::takeAnnouncement() {
 
 GoalInFrame goalFromMessage(const geometry_msgs::PoseStamped& message) {
   GoalInFrame goal{frameName(message.header.frame_id), fromMessage(message.pose)};
-  const geometry_msgs::Quaternion& q = message.pose.orientation;
-  if (q.x == 0.0 && q.y == 0.0 && q.z == 0.0 && q.w == 0.0) {
+  if (isZero(message.pose.orientation)) {
     ROS_WARN_THROTTLE(2.0, "the goal's orientation is a zero quaternion, taken as heading 0");
     goal.pose.yaw = 0.0;
   }

@@ -65,15 +65,20 @@ void PlanFollower::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) 
   plan_frame_ = frameName(plan.front().header.frame_id);
   std::vector<Pose2> poses;
   for (const geometry_msgs::PoseStamped& stamped : plan) {
-    const Pose2 pose = fromMessage(stamped.pose);
+    Pose2 pose = fromMessage(stamped.pose);
+    // Of the headings only the last one counts: a planner may leave out the others.
+    if (isZero(stamped.pose.orientation)) pose.yaw = 0.0;
     if (plan_frame_.empty() || frameName(stamped.header.frame_id) != plan_frame_) {
       throw std::invalid_argument("the plan has a pose in frame '" + stamped.header.frame_id + "', expected '" +
                                   plan_frame_ + "' as in its first pose, and not empty");
     }
     if (!isFinite(pose)) {
-      throw std::invalid_argument("the plan has a pose that is not finite, or a zero quaternion");
+      throw std::invalid_argument("the plan has a pose that is not finite");
     }
     poses.push_back(pose);
+  }
+  if (isZero(plan.back().pose.orientation) && parameters_.motion.heading_tolerance < M_PI) {
+    ROS_WARN_THROTTLE(kLogPeriod, "the orientation of the plan's last pose is a zero quaternion, taken as heading 0");
   }
   plan_ = std::move(poses);
   plan_time_ = ros::Time::now();

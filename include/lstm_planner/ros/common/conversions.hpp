@@ -25,6 +25,9 @@ void toMessage(const LaserScan& scan, sensor_msgs::LaserScan* message);
 /// Position and yaw; the yaw is NaN when the quaternion is zero or not finite.
 Pose2 fromMessage(const geometry_msgs::Pose& message);
 
+/// Of a message whose sender did not set it: no rotation at all.
+bool isZero(const geometry_msgs::Quaternion& q);
+
 /// Planar part of a transform.
 Pose2 fromMessage(const geometry_msgs::Transform& message);
 
