@@ -1,6 +1,8 @@
 #include "lstm_planner/network/network.hpp"
 
+#if defined(__SSE2__)
 #include <xmmintrin.h>
+#endif
 
 #include <algorithm>
 #include <cstdint>

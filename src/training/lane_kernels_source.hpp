@@ -2,6 +2,8 @@
 // end, LANE_KERNELS, may have external linkage (see simd.hpp). What is computed side by side does not change any
 // result: every sum is made in the same order, and the sets with a multiply-add in one instruction give the same bits.
 
+#include <cstddef>
+
 #include "training/lane_functions.hpp"
 
 namespace lstm_planner {
