@@ -54,8 +54,8 @@ Json readHeader(const std::string& path, const std::string& content, std::size_t
   std::string why;
   try {
     Json header = checkpointJson(header_line);
-    if (header.is_object() && header.count("settings") == 1 && header["settings"].is_object() &&
-        header.count("progress") == 1 && header.count("learner_bytes") == 1) {
+    if (first_line == kFirstLine && header.is_object() && header.count("settings") == 1 &&
+        header["settings"].is_object() && header.count("progress") == 1 && header.count("learner_bytes") == 1) {
       return header;
     }
   } catch (const std::invalid_argument& error) {

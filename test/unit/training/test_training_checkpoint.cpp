@@ -58,6 +58,13 @@ TEST_F(TrainingCheckpointFile, RefusesOtherFiles) {
   EXPECT_NE(refusal({}).find("is not a checkpoint"), std::string::npos);
 }
 
+TEST_F(TrainingCheckpointFile, RefusesAnotherVersion) {
+  std::ofstream(path_) << "lstm_planner training checkpoint 2\n"
+                       << R"({"settings": {}, "progress": {}, "learner_bytes": 4})"
+                       << "\nfour";
+  EXPECT_NE(refusal({}).find("is not a checkpoint"), std::string::npos);
+}
+
 TEST_F(TrainingCheckpointFile, RefusesALengthThatIsNoNumber) {
   std::ofstream(path_) << "lstm_planner training checkpoint 1\n"
                        << R"({"settings": {}, "progress": {}, "learner_bytes": "four"})"
