@@ -43,6 +43,13 @@ class CountingSink : public StepSink {
   long wanted_;
 };
 
+/// At that place, in a random direction. Draws one after the other, as compilers differ in the order of arguments.
+SimulatedRobot robotAt(const GridWorld& world, const SimulatedRobot::Parameters& parameters, const Point2& place,
+                       Random* random) {
+  const std::uint64_t seed = (*random)();
+  return SimulatedRobot(world, parameters, {place.x, place.y, uniform(*random, -M_PI, M_PI)}, seed);
+}
+
 class DriveRecording {
  public:
   DriveRecording(const GridWorld& world, const std::vector<Point2>& waypoints,
@@ -50,8 +57,7 @@ class DriveRecording {
       : waypoints_(waypoints),
         parameters_(parameters),
         random_(seed),
-        robot_(world, parameters.robot, {waypoints.front().x, waypoints.front().y, uniform(random_, -M_PI, M_PI)},
-               random_()),
+        robot_(robotAt(world, parameters.robot, waypoints.front(), &random_)),
         driver_(world, parameters.driver, random_()),
         sink_(sink, parameters.steps),
         recorder_(parameters.recorder, &sink_,

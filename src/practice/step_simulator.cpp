@@ -122,8 +122,10 @@ Twist2 StepSimulator::steer(const Decision& decision, const NavigationAgent& age
 void StepSimulator::move(const Twist2& twist, double seconds) {
   const double turn = twist.angular * seconds;
   double length = twist.linear * seconds;
-  Pose2 next = alongMeanHeading(pose_, length * (1.0 + conditions_.slip * normal(random_)),
-                                turn * (1.0 + conditions_.slip * normal(random_)));
+  // One after the other: compilers differ in the order of arguments.
+  const double true_turn = turn * (1.0 + conditions_.slip * normal(random_));
+  const double true_length = length * (1.0 + conditions_.slip * normal(random_));
+  Pose2 next = alongMeanHeading(pose_, true_length, true_turn);
   const bool touches = world_.touches({next.x, next.y}, kPracticeRadius);
   contacts_.note(touches);
   if (touches) {
