@@ -35,7 +35,7 @@ bool readOptions(const std::vector<std::string>& arguments, SearchOptions* optio
   line.add("steps", &dataset.steps, kAnySteps, "number of steps for training");
   line.add("validation-steps", &imitation.validation_steps, kAnySteps,
            "number of steps on the validation maps, to judge by");
-  line.add("goals", &imitation.course.goals, {1, 1e5}, "seed of the paths");
+  line.add("goals", &imitation.course.goals, {1, 1e5}, "number of goals of the paths");
   line.add("rate", &imitation.trainer.optimiser.learning_rate, kAnyRate, "learning rate");
   line.addFile("output", &options->output, "path without extension; .md and .csv are added");
   if (!line.parse(arguments)) return false;

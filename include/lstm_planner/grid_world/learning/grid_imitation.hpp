@@ -41,7 +41,7 @@ void visitGridImitationParameters(Parameters& p, const Visitor& visit) {
   visit("burn-in", p.dataset.burn_in_steps, {0, 1e5}, "",
         "if a sequence starts in the middle of a path: steps before it that only set the hidden state");
   visit("batch-steps", p.batch_steps, {1, 1e9}, "", "steps per update");
-  visit("goals", p.course.goals, {1, 1e5}, "", "seed of the paths of a round");
+  visit("goals", p.course.goals, {1, 1e5}, "", "number of goals of the paths of a round");
 }
 
 /// The training of the thesis: Tables 3.1 and 3.2, 500 epochs.
