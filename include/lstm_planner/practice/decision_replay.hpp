@@ -95,8 +95,8 @@ Agreement agreementOf(const std::vector<ReplayedDecision>& decisions);
 /// network preferred it at 40 of 60; not decided about: 5 standing".
 std::string describeReplay(const DecisionReplay& replay);
 
-/// CSV: one row a decision with episode, stamp, source, action, steering_angle, driven_action, driven_angle, and the
-/// network's preferences, separated by spaces. Angles in rad.
+/// CSV: one row a decision with episode, stamp, source, overruled, action, steering_angle, driven_action, driven_angle,
+/// and the network's preferences, separated by spaces. Angles in rad.
 void writeDecisions(const std::vector<ReplayedDecision>& decisions, std::ostream* out);
 
 }  // namespace lstm_planner
