@@ -52,7 +52,7 @@ std::string gnuplotScript(const std::string& csv_path, const std::vector<EpochRe
          << "set key right bottom; ";
   plot("accuracy [%]", 3, 8, "*100");
   script << "set key right top; ";
-  plot("cross-entropy", 4, 9, "*1");
+  plot("loss", 4, 9, "*1");
   script << "unset multiplot; ";
   return script.str();
 }
