@@ -102,6 +102,7 @@ void GraphReader::addGraphInput(const onnx_subset::ValueInfoProto& input) {
   if (!type.has_shape()) throw ModelFileError(name + " has no shape, expected one");
   Shape shape;
   for (const auto& extent : type.shape().dim()) shape.push_back(extent.has_dim_value() ? extent.dim_value() : 1);
+  elementCount(shape, name);
   if (!isStackOfStates(shape)) requireVector(shape, name);
   define(input.name(), {shape, 0, false, input.name()});
 }

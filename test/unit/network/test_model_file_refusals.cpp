@@ -54,6 +54,16 @@ TEST_F(ModelFileRefusals, AllUnknownOperatorsAndInputsAreNamedTogetherTheOperato
       << said;
 }
 
+TEST_F(ModelFileRefusals, StatesOfSeveralLayersOfNoUnits) {
+  refuses("graph input \"states\" has the shape [2, 1, 0], expected between 1", [](ModelProto& file) {
+    auto& input = *file.mutable_graph()->add_input();
+    input.set_name("states");
+    auto& type = *input.mutable_type()->mutable_tensor_type();
+    type.set_elem_type(1);
+    for (const int extent : {2, 1, 0}) type.mutable_shape()->add_dim()->set_dim_value(extent);
+  });
+}
+
 TEST_F(ModelFileRefusals, OperatorSetsOutsideTheReadOnes) {
   refuses("operator set", [](ModelProto& file) { file.clear_opset_import(); });
   for (const int version : {6, 23, -1}) {
