@@ -64,9 +64,15 @@ Json toJson(const std::vector<EpochReport>& curve) {
   return json;
 }
 
+/// Of the epochs from 1 on, of which the first is better than none before: a training's result is looked up by them.
 std::vector<EpochReport> curveFrom(const Json& json) {
   std::vector<EpochReport> curve;
-  for (const Json& report : json) curve.push_back(reportFrom(report));
+  for (const Json& report : json) {
+    curve.push_back(reportFrom(report));
+    if (curve.back().epoch != static_cast<int>(curve.size()) || !curve.front().best) {
+      throw std::invalid_argument("a curve whose epochs do not count from 1, or whose first is not the best so far");
+    }
+  }
   return curve;
 }
 

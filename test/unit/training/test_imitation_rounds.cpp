@@ -121,6 +121,17 @@ TEST(ImitationState, IsNotReadFromOtherBytes) {
   EXPECT_THROW(imitationStateFrom(bytes), std::invalid_argument);
 }
 
+TEST(ImitationState, WithoutAFirstAndBestEpochIsRefused) {
+  ImitationState state;
+  state.training.curve.resize(1);
+  state.training.curve[0].epoch = 1;
+  EXPECT_THROW(imitationStateFrom(toBytes(state)), std::invalid_argument) << "none is best";
+  state.training.curve[0].best = true;
+  EXPECT_EQ(imitationStateFrom(toBytes(state)).training.curve.size(), 1u);
+  state.training.curve[0].epoch = 7;
+  EXPECT_THROW(imitationStateFrom(toBytes(state)), std::invalid_argument) << "the best of seven";
+}
+
 TEST(ImitationState, OfManyLevelsIsRefused) {
   const std::vector<std::uint8_t> lists_in_lists(1000000, 0x81);
   try {
