@@ -31,12 +31,20 @@ std::string lowerCase(std::string text) {
 
 }  // namespace
 
+bool isGridSet(const std::string& set_name, const std::string& kind, const std::string& number) {
+  const std::string name = lowerCase(set_name);
+  if (name.find(kind) == std::string::npos) return false;
+  const std::size_t last = name.find_last_of("0123456789");
+  if (last == std::string::npos) return false;
+  const std::size_t before = name.find_last_not_of("0123456789", last);
+  return name.substr(before + 1, last - before) == number;
+}
+
 const ThesisTable* thesisTableOf(const std::string& set_name) {
   const std::string name = lowerCase(set_name);
-  const auto has = [&](const char* part) { return name.find(part) != std::string::npos; };
-  if (has("dragon") || name == "dao") return &tables()[0];
-  if (has("maze") && has("8")) return &tables()[1];
-  if (has("random") && has("25")) return &tables()[2];
+  if (name.find("dragon") != std::string::npos || name == "dao") return &tables()[0];
+  if (isGridSet(name, "maze", "8")) return &tables()[1];
+  if (isGridSet(name, "random", "25")) return &tables()[2];
   return nullptr;
 }
 

@@ -1,7 +1,6 @@
 #include "lstm_planner/grid_world/evaluation/thesis_maps.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <stdexcept>
 
 #include "lstm_planner/common/random.hpp"
@@ -14,21 +13,10 @@ constexpr std::size_t kTrainingMaps = 5;
 constexpr std::size_t kValidationMaps = 3;
 constexpr std::size_t kTestMaps = 10;
 
-/// Whether a set's name says this kind and number: "Mazes_2w" and "maze512-2" are "maze" and "2".
-bool isSet(const std::string& name, const std::string& kind, const std::string& number) {
-  std::string text;
-  for (const char letter : name) text += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  if (text.find(kind) == std::string::npos) return false;
-  const std::size_t last = text.find_last_of("0123456789");
-  if (last == std::string::npos) return false;
-  const std::size_t before = text.find_last_not_of("0123456789", last);
-  return text.substr(before + 1, last - before) == number;
-}
-
 GridSetFiles trainingSet(std::vector<GridSetFiles>* sets, const std::string& kind, const std::string& number,
                          Random& random) {
   for (GridSetFiles& set : *sets) {
-    if (!isSet(set.name, kind, number)) continue;
+    if (!isGridSet(set.name, kind, number)) continue;
     if (set.maps.size() < 2) {
       throw std::invalid_argument("set " + set.name + " has " + std::to_string(set.maps.size()) +
                                   " maps, expected at least 2 for the thesis's training");

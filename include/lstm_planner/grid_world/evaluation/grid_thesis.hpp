@@ -22,8 +22,12 @@ struct ThesisTable {
   std::vector<Row> rows;
 };
 
-/// The table about a benchmark set, by the set's name ("DragonAge", "Mazes_8w", "Random25" or similar); nullptr if the
-/// thesis has none.
+/// Whether a set's name says this kind, and ends in this number but for letters: "Mazes_2w" and "maze512-2" are "maze"
+/// and "2".
+bool isGridSet(const std::string& set_name, const std::string& kind, const std::string& number);
+
+/// The table about a benchmark set, by the set's name ("DragonAge", "Mazes_8w", "Random25" or similar, see
+/// isGridSet()); nullptr if the thesis has none.
 const ThesisTable* thesisTableOf(const std::string& set_name);
 
 }  // namespace lstm_planner

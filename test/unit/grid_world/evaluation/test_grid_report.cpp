@@ -63,6 +63,8 @@ TEST(ThesisTable, BelongsToTheSetsOfTheThesis) {
   EXPECT_EQ(thesisTableOf("Random25")->number, "3.9");
   EXPECT_EQ(thesisTableOf("Mazes_2w"), nullptr);
   EXPECT_EQ(thesisTableOf("Random40"), nullptr);
+  EXPECT_EQ(thesisTableOf("maze-128-128"), nullptr) << "a size";
+  EXPECT_EQ(thesisTableOf("random256-40"), nullptr) << "a size";
   EXPECT_DOUBLE_EQ(thesisTableOf("Mazes_8w")->rows.back().success, 0.26);
 }
 
