@@ -36,7 +36,7 @@ class GridActor {
   const GridObservation& observation() const { return observation_; }
   int previousDirection() const { return previous_direction_; }  ///< kNoPath before the first move
   /// Whether the shield allows a move.
-  bool possible(int direction) const { return movePossible(observation_.ranges, direction, CornerCutting::kForbidden); }
+  bool possible(int direction) const { return movePossible(observation_.ranges, direction, course_->cornerCutting()); }
   Random& random() { return random_; }
 
   /// `direction` must be possible. Where the episode ends, at the latest after `max_steps`, the next one starts.

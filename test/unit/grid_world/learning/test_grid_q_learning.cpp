@@ -68,6 +68,17 @@ QTile tileOn(const GridQLearningParameters& parameters, const GridCourse& course
   return QTile(parameters, smallNetwork(), course, &seeds);
 }
 
+TEST(QTile, CutsCornersWhereTheCourseDoes) {
+  GridQLearningParameters parameters = smallParameters();
+  parameters.course.corner_cutting = CornerCutting::kAllowed;
+  PassableGrid staircase(6, 6, false);
+  for (int i = 0; i < 6; ++i) staircase.set({i, i}, true);
+  const GridCourse course(parameters.course, only(staircase), 1, 1);
+  QTile tile = tileOn(parameters, course);
+  const Eigen::VectorXf weights = parameterVector(smallNetwork());
+  EXPECT_GT(tile.run(weights, weights, kRandomMoves).arrived, 0.0);
+}
+
 TEST(QTile, GradientIsTheDerivativeOfTheSquaredErrors) {
   const GridCourse course = courseOn(PassableGrid(12, 12, true), 12.0);
   GridQLearningParameters parameters = smallParameters();
