@@ -261,6 +261,10 @@ std::pair<std::string, double> splitFreeThreshold(const std::string& text) {
   stream.imbue(std::locale::classic());
   double threshold = 0.0;
   if (!(stream >> threshold) || !stream.eof()) return {text, kThresholdOfFile};
+  if (threshold < 0.0 || threshold > 1.0) {
+    throw MapFileError("the map " + text + " has free_thresh '" + text.substr(sign + 1) +
+                       "', expected a number in [0, 1]");
+  }
   return {text.substr(0, sign), threshold};
 }
 

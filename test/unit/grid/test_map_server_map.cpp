@@ -64,6 +64,11 @@ TEST_F(MapServerMap, ClosesWhatWasNeverMapped) {
   EXPECT_EQ(readClosedMap(yaml).at({1, 1}), Cell::kOccupied);
   EXPECT_EQ(readClosedMap(yaml).at({1, 0}), Cell::kFree);
   EXPECT_EQ(readClosedMap(yaml + "=0.19").at({1, 0}), Cell::kOccupied);
+  for (const std::string threshold : {"2", "-1"}) {
+    EXPECT_EQ(
+        test::refusalOf<MapFileError>([&] { readClosedMap(yaml + "=" + threshold); }),
+        "the map " + yaml + "=" + threshold + " has free_thresh '" + threshold + "', expected a number in [0, 1]");
+  }
 }
 
 TEST_F(MapServerMap, NegatesAndTakesAnAbsolutePath) {
