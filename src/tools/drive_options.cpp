@@ -18,13 +18,16 @@ constexpr double kLatency = 0.1;           // s
 constexpr double kPatienceDistance = 0.2;  // m a step
 
 void addWorldOptions(DriveOptions* options, CommandLine* line) {
-  line->section("the world (default: a walled room of 10 m x 10 m)");
+  line->section("the world (with --walkers alone: a walled room of 10 m x 10 m)");
   line->addFiles("map", &options->maps,
                  "map_server yaml files; FILE=0.19 replaces the free_thresh of a map; its unknown cells are solid");
   line->addFile("barn", &options->barn, "barn_cylinders.csv: the BARN worlds, by BARN's rules");
-  line->add("worlds", &options->kind,
-            "generated worlds: mazes, offices, corridors, forest, open, rooms or furnished; or dynabarn: "
-            "cylinders that move");
+  std::vector<std::string> kinds;
+  for (const WorldKind kind : worldKinds()) kinds.emplace_back(toString(kind));
+  kinds.emplace_back(kDynaBarn);
+  line->addChoice("worlds", &options->kind, kinds,
+                  "generated worlds: mazes, offices, corridors, forest, open, rooms or furnished; or dynabarn: "
+                  "cylinders that move");
   line->add("walkers", &options->crowd.walkers, {0, 1000}, "people who walk about");
   line->add(
       "goals", &options->goals, kAnyCount,
@@ -57,9 +60,10 @@ void addRobotOptions(DriveOptions* options, CommandLine* line) {
       "network; route: the path through the remembered obstacles; none: the allowed angle nearest to the goal's "
       "bearing");
   visitAgentParameters(agent, onlyNamed({"detour/allowance", "detour/share"}, line->everyParameter()));
-  line->addFlag(
-      "knows-map", &options->knows_map, true,
-      "the robot knows all obstacles of --map or --worlds from the start, as far as 50 m; only without --drift");
+  line->addFlag("knows-map", &options->knows_map, true,
+                "the robot knows all obstacles of --map or --worlds from the start, as far as 50 m; only without "
+                "--drift, --slip and "
+                "--wheel-error");
   line->addFlag("no-drift-correction", &agent.correct_drift, false,
                 "take the odometry as it is: do not match scans to take its drift away");
   line->addFlag("no-memory", &agent.memory.enabled, false,
@@ -94,8 +98,9 @@ void checkKnowsMap(const DriveOptions& options) {
     throw std::invalid_argument("--knows-map needs --map, or --worlds whose obstacles do not move");
   }
   if (!options.agent.memory.enabled) throw std::invalid_argument("--knows-map and --no-memory exclude each other");
-  if (base.odometry_error != 0.0 || base.slip != 0.0) {
-    throw std::invalid_argument("--knows-map needs odometry without error, expected --drift 0 and --slip 0");
+  if (base.odometry_error != 0.0 || base.slip != 0.0 || base.drift != 0.0) {
+    throw std::invalid_argument(
+        "--knows-map needs odometry without error, expected --drift 0, --slip 0 and --wheel-error 0");
   }
 }
 
@@ -114,7 +119,6 @@ void check(const DriveOptions& options) {
   if (sources == 0 && options.crowd.walkers == 0) {
     throw std::invalid_argument("one of --map, --barn, --worlds and --walkers is needed");
   }
-  if (!options.kind.empty() && options.kind != kDynaBarn) worldKindOf(options.kind);
   validate(options.drive.robot.base);
   validate(options.drive.robot.scanner);
   checkView(options.drive.robot.scanner);

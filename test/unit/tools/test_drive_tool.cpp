@@ -169,13 +169,14 @@ TEST_F(DriveTool, RefusesBadOptionsWithASentence) {
   };
   EXPECT_NE(complaint("").find("one of --map, --barn, --worlds and --walkers is needed"), std::string::npos);
   EXPECT_NE(complaint("--map a.yaml --worlds open").find("exclude each other"), std::string::npos);
-  EXPECT_NE(complaint("--worlds jungle").find("mazes, offices"), std::string::npos);
+  EXPECT_NE(complaint("--worlds jungle").find("furnished or dynabarn"), std::string::npos);
   EXPECT_NE(complaint("--walkers -1").find("--walkers is -1, expected a whole number in [0, 1000]"), std::string::npos);
   EXPECT_NE(complaint("--walkers 1 --drift 2").find("--drift is 2, expected a number in [0, 0.5]"), std::string::npos);
   EXPECT_NE(complaint("--walkers 1 --goals 0").find("--goals"), std::string::npos);
   EXPECT_NE(complaint("--walkers 1 --knows-map").find("--knows-map needs --map, or --worlds"), std::string::npos);
-  EXPECT_NE(complaint("--worlds open --knows-map --drift 0.02").find("expected --drift 0 and --slip 0"),
+  EXPECT_NE(complaint("--worlds open --knows-map --drift 0.02").find("expected --drift 0, --slip 0"),
             std::string::npos);
+  EXPECT_NE(complaint("--worlds open --knows-map --wheel-error 0.01").find("--wheel-error 0"), std::string::npos);
   EXPECT_NE(complaint("--worlds open --knows-map --no-memory").find("exclude each other"), std::string::npos);
   EXPECT_NE(complaint("--barn " + in("none.csv")).find("none.csv' cannot be read"), std::string::npos);
   EXPECT_NE(complaint("--walkers 1 --goals 1 --only 7").find("--only is 7, expected"), std::string::npos);
