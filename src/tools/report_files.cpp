@@ -41,6 +41,9 @@ GridAgentOptions optionsFrom(const std::string& text, GridAgentOptions options, 
   const std::size_t equals = part.find('=');
   options.agent = part.substr(0, equals);
   options.model = equals == std::string::npos ? "" : part.substr(equals + 1);
+  if (equals != std::string::npos && options.model.empty()) {
+    throw std::invalid_argument("agent '" + text + "' has no file behind '=', expected NAME or NAME=MODEL");
+  }
   if (isNetworkAgent(options.agent)) {
     options.model = findSharedFile(options.model.empty() ? shippedModelOf(options.agent) : options.model);
   } else if (!options.model.empty()) {
