@@ -88,7 +88,7 @@ class LogReader {
              " lines LASER_READING: it is a file of GMapping, whose program gfs2log converts it to a CARMEN log";
     }
     if (log_->malformed > 0) return "as CARMEN writes them, but " + log_->first_malformed;
-    return "among its " + std::to_string(number_);
+    return "among its " + std::to_string(number_) + (number_ == 1 ? " line" : " lines");
   }
 
   void take(const std::string& text) {

@@ -33,7 +33,7 @@ std::string readWholeFile(const std::string& path) {
   try {
     return readInputFile(path, kMaximumFileSize);
   } catch (const InputFileError& error) {
-    throw ModelFileError("it cannot be read: " + std::string(error.what()) + ", expected an ONNX model");
+    throw ModelFileError("it cannot be read: " + std::string(error.what()));
   }
 }
 

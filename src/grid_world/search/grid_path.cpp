@@ -8,8 +8,8 @@
 namespace lstm_planner {
 
 MoveCosts moveCosts(double straight, double diagonal) {
-  checkRange("the cost of a straight move", straight, 0.01, 100.0);
-  checkRange("the cost of a diagonal move", diagonal, straight, 2.0 * straight);
+  checkRange("straight_cost", straight, 0.01, 100.0);
+  checkRange("diagonal_cost", diagonal, straight, 2.0 * straight);
   const auto cost = [](double cells) { return std::llround(cells * static_cast<double>(kStraightCost)); };
   return {cost(straight), cost(diagonal)};
 }

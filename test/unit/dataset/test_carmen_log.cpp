@@ -259,7 +259,8 @@ TEST(CarmenLogTest, WhatIsNoLogIsRefusedInASentence) {
   EXPECT_EQ(refusalOf(folder() / ("none")),
             "the log " + folder() / ("none") + " cannot be read: there is no such file");
   const std::string none = written("without_scans.log", odometry(1.0, 0.0) + "NEFF 3\n");
-  EXPECT_EQ(refusalOf(none), "the log " + none + " holds no scans: expected lines FLASER or ROBOTLASER1 among its 2");
+  EXPECT_EQ(refusalOf(none),
+            "the log " + none + " holds no scans: expected lines FLASER or ROBOTLASER1 among its 2 lines");
   const std::string malformed = written("malformed.log", "FLASER x\n");
   EXPECT_EQ(refusalOf(malformed),
             "the log " + malformed +
