@@ -121,6 +121,10 @@ TEST_F(MapsTool, ReportComparesAgentsInTablesAndPictures) {
     EXPECT_GT(test::countColoured(picture), 100) << entry.path();
   }
   EXPECT_EQ(pictures, 2) << "success by length, and a figure of the thesis";
+  const test::Outcome no_file =
+      runTool("report --output " + in("r") + " --scenarios " + in("mazes") + " --agents lstm=");
+  EXPECT_EQ(no_file.status, 2) << no_file.output;
+  EXPECT_NE(no_file.output.find("agent 'lstm=' has no file behind '='"), std::string::npos) << no_file.output;
 }
 
 }  // namespace
