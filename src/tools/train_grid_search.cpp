@@ -85,6 +85,10 @@ int searchGridStructures(const std::vector<std::string>& arguments) {
   };
   const std::vector<StructureOutcome> outcomes =
       searchGridStructures(options.imitation, thesisTrials(), maps.training, validationMaps(maps), progress);
+  if (outcomes.empty()) {
+    std::cout << "interrupted: no structure is done, nothing is written" << std::endl;
+    return interruption.exitStatus();
+  }
   const std::string text = report(options, maps, outcomes);
   std::cout << text;
   writeTextFile(options.output + ".md", text);
