@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "lstm_planner/common/input_file.hpp"
 
@@ -13,6 +14,7 @@ namespace lstm_planner {
 namespace {
 
 constexpr const char* kBlank = " \t\r";
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";        // of UTF-8, as spreadsheets write it
 constexpr std::uintmax_t kLargestTable = std::uintmax_t{1} << 26;  // bytes
 constexpr std::size_t kLongestLine = std::size_t{1} << 16;         // letters
 
@@ -56,6 +58,7 @@ CsvFile::CsvFile(const std::string& path, const std::vector<std::string>& column
   std::istringstream file(readTableFile(path));
   std::string line;
   if (!std::getline(file, line)) throw std::invalid_argument("'" + path + "' cannot be read: it is empty");
+  if (line.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0) line.erase(0, kByteOrderMark.size());
   if (line.size() > kLongestLine) refuseLength(path, 1);
   const std::vector<std::string> names = split(line);
   std::vector<std::string> wanted = columns;

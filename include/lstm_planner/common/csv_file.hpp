@@ -7,7 +7,8 @@
 namespace lstm_planner {
 
 /// Reads columns of numbers from a CSV file. The first line names the columns, which may be in any order. Lines may end
-/// with CR LF; blank lines are skipped. Throws std::invalid_argument naming the file, the line and what was expected.
+/// with CR LF, and the file may begin with a byte order mark; blank lines are skipped. Throws std::invalid_argument
+/// naming the file, the line and what was expected.
 class CsvFile {
  public:
   /// The file must have `columns`. It may have `optional_columns`; see has().

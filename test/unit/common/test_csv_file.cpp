@@ -32,6 +32,8 @@ TEST_F(CsvFileTest, TellsWhichOptionalColumnsAreThere) {
   EXPECT_EQ(file.number(0, 3), 3.0);
 }
 
+TEST_F(CsvFileTest, MayBeginWithAByteOrderMark) { EXPECT_EQ(read("\xef\xbb\xbfx,y\n1,2\n").number(0, 0), 1.0); }
+
 TEST_F(CsvFileTest, LinesHaveABoundedLength) {
   EXPECT_NE(refusal("x,y\n1,2\n" + std::string(70000, ',')).find("line 3: it is longer than 65536 letters"),
             std::string::npos);
