@@ -70,10 +70,10 @@ void add(const RecordedEpisode& episode, LabelHistogram* labels, RangeCollector*
   ++summary->ends[episode.episode.end];
   summary->empty_episodes += steps == 0 ? 1 : 0;
   summary->steps += steps;
-  const DriveStep* before = nullptr;
+  long expected = 0;
   for (const DriveStep& step : episode.steps) {
-    if (before != nullptr && step.number != before->number + 1) ++summary->gaps;
-    before = &step;
+    if (step.number != expected) ++summary->gaps;
+    expected = step.number + 1;
     summary->steps_with_scan += step.ranges.empty() ? 0 : 1;
     const auto label = static_cast<std::size_t>(step.label);
     if (label < labels->counts.size()) ++labels->counts[label];

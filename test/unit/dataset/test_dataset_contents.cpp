@@ -52,6 +52,14 @@ TEST(DatasetSummary, CountsWhatThereIs) {
   EXPECT_EQ(labels, summary.steps);
 }
 
+TEST(DatasetSummary, CountsAGapAtTheStart) {
+  Dataset dataset;
+  dataset.recordings = {exampleRecording(1, 1)};
+  std::vector<DriveStep>& steps = dataset.recordings[0].episodes[0].steps;
+  steps.erase(steps.begin());
+  EXPECT_EQ(summarise(dataset).gaps, 1);
+}
+
 TEST(DatasetSummary, KnowsTheRangeOfEachQuantity) {
   Dataset dataset;
   dataset.recordings = {exampleRecording(1, 1)};
