@@ -80,7 +80,11 @@ std::vector<Point2> readWaypoints(const std::string& path) {
         throw std::invalid_argument(std::string(frame) + " is " + file[frame].as<std::string>() + ", expected map");
       }
     }
-    for (const YAML::Node& node : list) points.push_back(waypointOf(node));
+    for (const YAML::Node& node : list) {
+      points.push_back(waypointOf(node));
+      if (std::isfinite(points.back().x) && std::isfinite(points.back().y)) continue;
+      throw std::invalid_argument("waypoint " + std::to_string(points.size()) + " is not finite");
+    }
   } catch (const std::exception& error) {
     throw std::invalid_argument("waypoints of " + path + ": " + error.what());
   }

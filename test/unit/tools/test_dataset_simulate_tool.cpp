@@ -66,6 +66,8 @@ TEST_F(DatasetSimulateTool, SaysWhatItCannotUse) {
   EXPECT_NE(saysOf("--waypoints " + in("odom.yaml")).find("waypoint_frame is odom, expected map"), std::string::npos);
   std::ofstream(in("text.yaml")) << "waypoints: [[1, 2], here]\n";
   EXPECT_NE(saysOf("--waypoints " + in("text.yaml")).find("expected [x, y]"), std::string::npos);
+  std::ofstream(in("nowhere.yaml")) << "waypoints: [[1, 2], [.nan, 3]]\n";
+  EXPECT_NE(saysOf("--waypoints " + in("nowhere.yaml")).find("waypoint 2 is not finite"), std::string::npos);
   EXPECT_NE(saysOf("--waypoints 99999999").find("expected a number below a million"), std::string::npos);
   EXPECT_NE(saysOf("--waypoints 1").find("there are 1 waypoints, expected at least two"), std::string::npos);
   EXPECT_NE(saysOf("--speed -1").find("--speed is -1, expected a number in [0.01, 10]"), std::string::npos);
