@@ -46,7 +46,7 @@ class Collector {
 
   /// With those of the groups that it merges (<<: *NAME), as in YAML 1.1, which rosparam reads: its own count more, and
   /// those of an earlier group than those of a later one.
-  Entries entriesOf(const YAML::Node& map, const std::string& name, int depth) const {
+  Entries entriesOf(const YAML::Node& map, const std::string& name, int depth) {
     Entries entries;
     std::vector<YAML::Node> merged;
     for (const auto& entry : map) {
@@ -68,9 +68,12 @@ class Collector {
     return entries;
   }
 
-  void checkDepth(int depth) const {
+  void checkDepth(int depth) {
     constexpr int kDeepest = 100;
+    constexpr int kMost = 10000;
     if (depth > kDeepest) throw std::invalid_argument(path_ + ": a group stands in itself (&NAME and *NAME)");
+    if (++visited_ <= kMost) return;
+    throw std::invalid_argument(path_ + ": groups in groups (&NAME and *NAME) make more than 10000 parameters");
   }
 
   /// Of what is given twice the parameter server keeps the last alone, of a group as well: the rest of the first is
@@ -81,6 +84,7 @@ class Collector {
 
   const std::string& path_;
   Values& values_;
+  int visited_ = 0;  ///< parameters and groups
 };
 
 /// Reads one group of a file into variables that hold their defaults.

@@ -157,6 +157,17 @@ TEST_F(DriveRobots, AGroupInItselfIsRefused) {
   }
 }
 
+TEST_F(DriveRobots, GroupsThatDoubleInEachLineAreRefused) {
+  std::string text = "SteeringController: {}\na0: &a0 {x: 1}\n";
+  for (int i = 1; i <= 60; ++i) {
+    const std::string before = "*a" + std::to_string(i - 1);
+    const std::string own = "a" + std::to_string(i);
+    text += own + ": &" + own + " {x: " + before + ", y: " + before + "}\n";
+  }
+  const std::string output = drive("--worlds open --goals 1 --robot " + fileWith(text)).output;
+  EXPECT_NE(output.find("make more than 10000 parameters"), std::string::npos) << output;
+}
+
 TEST_F(DriveRobots, TheSameFootprintInOtherDigitsIsTheSame) {
   const std::string square = "[[0.2, 0.2], [0.2, -0.2], [-0.2, -0.2], [-0.2, 0.2]]";
   const test::Outcome outcome =
