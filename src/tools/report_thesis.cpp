@@ -191,6 +191,12 @@ int runThesisReport(const std::vector<std::string>& arguments) {
   options.training.trainer.communicator = ranks();
   const ThesisMaps maps = chooseThesisMaps(setsIn(options.folders), options.training.seed);
   std::ostringstream report;
+  std::size_t printed = 0;
+  const auto print = [&] {
+    const std::string text = report.str();
+    std::cout << text.substr(printed) << std::flush;
+    printed = text.size();
+  };
   report << "# The thesis under its own rules\n\n"
          << options.training.dataset.steps << " steps, " << options.training.trainer.epochs << " epochs; trained on "
          << fileNames(filesOf(maps.training)) << "; best epoch chosen on " << fileNames(filesOf(maps.validation))
@@ -207,6 +213,7 @@ int runThesisReport(const std::vector<std::string>& arguments) {
     appendSolvedAverages(comparison, report);
     if (max_length == kScenarioPlaces) continue;
     if (!isFirstRank()) continue;
+    print();  // figures may fail for want of gnuplot or of room on the disk, after hours of training
     std::ostringstream figures;
     writeFigures(comparison, drawGridTasks({"training", maps.training}, options.selection), options.evaluation,
                  options.output, figures);
@@ -214,7 +221,8 @@ int runThesisReport(const std::vector<std::string>& arguments) {
   }
   if (!isFirstRank()) return 0;
   writeTextFile(options.output + "/thesis.md", report.str());
-  std::cout << report.str() << "wrote " << options.output << "/thesis.md\n";
+  print();
+  std::cout << "wrote " << options.output << "/thesis.md\n";
   return 0;
 }
 
