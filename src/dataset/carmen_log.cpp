@@ -45,7 +45,10 @@ class LogReader {
     file.seekg(0);
     if (is_compressed) {
       Poco::InflatingInputStream inflated(file, Poco::InflatingStreamBuf::STREAM_GZIP);
-      read(&inflated);
+      do {
+        read(&inflated);
+        inflated.reset();  // compressed files that were put one behind the other are one file, as for gzip
+      } while (inflated.peek() != std::istream::traits_type::eof());
     } else {
       read(&file);
     }
@@ -131,8 +134,10 @@ class LogReader {
   void takeParameter(const std::string& text) {
     constexpr const char* kOffset = " robot_frontlaser_offset ";
     if (text.rfind(kOffset, 0) != 0) return;
-    const double offset = std::strtod(text.c_str() + std::string(kOffset).size(), nullptr);
-    if (!std::isfinite(offset)) throw std::invalid_argument("robot_frontlaser_offset is no number");
+    const char* const begin = text.c_str() + std::string(kOffset).size();
+    char* end = nullptr;
+    const double offset = std::strtod(begin, &end);
+    if (end == begin || !std::isfinite(offset)) throw std::invalid_argument("robot_frontlaser_offset is no number");
     front_laser_offset_ = offset;
     log_->mount_known = true;
   }

@@ -236,7 +236,8 @@ TEST(CarmenLogTest, MalformedLinesAreLeftOutAndTheFirstIsNamed) {
         {"ODOM 1 2 3\n", "ODOM has no number where speed and acceleration should be"},
         {"FLASER 1e9 1 1\n", "FLASER has a number of readings of 1000000000.000000, expected 2 to 10000"},
         {"FLASER 2.5 1 1\n", "FLASER has a number of readings of 2.500000, expected 2 to 10000"},
-        {"PARAM robot_frontlaser_offset inf\n", "PARAM robot_frontlaser_offset is no number"}}) {
+        {"PARAM robot_frontlaser_offset inf\n", "PARAM robot_frontlaser_offset is no number"},
+        {"PARAM robot_frontlaser_offset front\n", "PARAM robot_frontlaser_offset is no number"}}) {
     const CarmenLog log = parsed(scan + expected.line + odometry(2.0, 0.1) + expected.line);
     EXPECT_EQ(log.malformed, 2) << expected.line;
     EXPECT_EQ(log.first_malformed, "line 2: " + expected.reason);
@@ -253,6 +254,16 @@ TEST(CarmenLogTest, CompressedLogsAreTheSame) {
   ASSERT_EQ(log.events.size(), plain.events.size());
   EXPECT_EQ(all<ScanHeard>(log).back().scan.ranges, all<ScanHeard>(plain).back().scan.ranges);
   EXPECT_DOUBLE_EQ(stampOf(log.events.back()), stampOf(plain.events.back()));
+}
+
+TEST(CarmenLogTest, CompressedLogsOneBehindTheOtherAreOne) {
+  const std::string first = frontLaser(1.0, "0 0 0", "0 0 0");
+  const std::string second = compressed(frontLaser(2.0, "0 0 0", "0.1 0 0") + odometry(3.0, 0.2));
+  const CarmenLog log = readCarmenLog(written("joined.log.gz", compressed(first) + second));
+  EXPECT_EQ(log.scans, 2);
+  EXPECT_EQ(log.odometry, 1);
+  const std::string cut = written("cut_joined.log.gz", compressed(first) + second.substr(0, second.size() / 2));
+  EXPECT_NE(refusalOf(cut).find("cannot be read on behind line 1"), std::string::npos) << refusalOf(cut);
 }
 
 TEST(CarmenLogTest, WhatIsNoLogIsRefusedInASentence) {
