@@ -208,16 +208,17 @@ void DriveStates::drawBelow(const std::string& path) const {
   const cv::Mat preferences = heatmap(actions, steps, kPreferenceRow, drive.cols, [&](int row, int step) {
     return shares[static_cast<std::size_t>(step)][static_cast<std::size_t>(actions - 1 - row)];
   });
-  const int cell_row = std::clamp(kCellsHeight / cells, 1, kLargestCellRow);
-  const cv::Mat hidden = heatmap(cells, steps, cell_row, drive.cols, [&](int row, int step) {
-    return std::tanh(steps_[static_cast<std::size_t>(step)].hidden[row]);
-  });
+  std::vector<cv::Mat> parts{
+      drive, line("preferences, step by step: leftmost angle above, rightmost below", drive.cols), preferences};
+  if (cells > 0) {  // perceptrons have none
+    const int cell_row = std::clamp(kCellsHeight / cells, 1, kLargestCellRow);
+    parts.push_back(line("hidden state: red positive, blue negative, a row a cell", drive.cols));
+    parts.push_back(heatmap(cells, steps, cell_row, drive.cols, [&](int row, int step) {
+      return std::tanh(steps_[static_cast<std::size_t>(step)].hidden[row]);
+    }));
+  }
   cv::Mat all;
-  cv::vconcat(
-      std::vector<cv::Mat>{drive, line("preferences, step by step: leftmost angle above, rightmost below", drive.cols),
-                           preferences, line("hidden state: red positive, blue negative, a row a cell", drive.cols),
-                           hidden},
-      all);
+  cv::vconcat(parts, all);
   writePicture(path, all);
 }
 

@@ -44,8 +44,8 @@ class DriveStates {
   void watch(NavigationAgent* agent);
 
   /// Below the picture in the file `path`, which is replaced: a column a step, with the preferences among the steering
-  /// angles as probabilities and the outputs of all recurrent cells. Throws std::runtime_error when the file cannot be
-  /// read or written, std::invalid_argument when nothing was noted.
+  /// angles as probabilities and the outputs of all recurrent cells, if there are any. Throws std::runtime_error when
+  /// the file cannot be read or written, std::invalid_argument when nothing was noted.
   void drawBelow(const std::string& path) const;
 
  private:

@@ -184,5 +184,19 @@ TEST_F(DriveTool, RefusesBadOptionsWithASentence) {
       << "what is there does not hide what is not";
 }
 
+TEST_F(DriveTool, DrawsTheStatesOfNetworksWithAndWithoutRecurrentCells) {
+  const std::string perceptron = in("perceptron.onnx");
+  const test::Outcome training =
+      runTool("train rounds=1 worlds=1 kinds=open epochs=1 validation=1 max-steps=5 network=mlp cells=[8,8] output=" +
+              perceptron);
+  ASSERT_EQ(training.status, 0) << training.output;
+  for (const std::string& model : {shippedModel(), perceptron}) {
+    const test::Outcome outcome =
+        drive("--worlds open --goals 1 --only 0 --time-limit 3 --model " + model + " --states " + in("states.png"));
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    test::expectPicture(in("states.png"));
+  }
+}
+
 }  // namespace
 }  // namespace lstm_planner::test_drive_tool
