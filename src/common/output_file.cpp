@@ -45,11 +45,14 @@ int reasonOf(const std::string& path) {
   return reason;
 }
 
-/// Where a link leads: it is to stay one.
+/// Where a link leads, be there a file yet or not: it is to stay one.
 std::string targetOf(const std::string& path) {
   std::error_code unknown;
   const fs::path target = fs::canonical(path, unknown);
-  return unknown ? path : target.string();
+  if (!unknown) return target.string();
+  if (unknown != std::errc::no_such_file_or_directory) return path;  // links in a ring lead nowhere
+  const fs::path next = fs::read_symlink(path, unknown);
+  return unknown ? path : targetOf((fs::path(path).parent_path() / next).string());
 }
 
 bool isSpecial(const std::string& path) {

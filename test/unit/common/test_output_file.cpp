@@ -75,6 +75,17 @@ TEST_F(OutputFileTest, KeepsLinksAndRights) {
   EXPECT_EQ(fs::status(in("a")).permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
+TEST_F(OutputFileTest, KeepsLinksToFilesThatAreNotThereYet) {
+  fs::create_symlink("next", in("link"));
+  fs::create_symlink("later", in("next"));
+  write("link", "new");
+  EXPECT_TRUE(fs::is_symlink(in("link")) && fs::is_symlink(in("next")));
+  EXPECT_EQ(content("later"), "new");
+  fs::create_symlink("ring", in("ring"));
+  write("ring", "new");
+  EXPECT_EQ(content("ring"), "new");
+}
+
 TEST_F(OutputFileTest, WritesDevicesDirectly) {
   EXPECT_NO_THROW(writeOutputFile("file", "/dev/null", [](std::ostream& file) { file << "text"; }));
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
