@@ -61,10 +61,19 @@ void addGoals(double shortest, const DriveOptions& options, DriveWorld* world) {
   }
 }
 
+/// The map's own, with a number behind it where there is one already: pictures and lines are told apart by it.
+std::string nameOfMap(const std::string& text, const std::vector<DriveWorld>& others) {
+  const std::string stem = std::filesystem::path(splitFreeThreshold(text).first).stem().string();
+  std::string name = stem;
+  const auto has_it = [&](const DriveWorld& other) { return other.name == name; };
+  for (int i = 2; std::any_of(others.begin(), others.end(), has_it); ++i) name = stem + "-" + std::to_string(i);
+  return name;
+}
+
 void addMaps(const DriveOptions& options, DriveCourse* course) {
   course->source = joined(options.maps, " ");
   for (const std::string& text : options.maps) {
-    const std::string name = std::filesystem::path(splitFreeThreshold(text).first).stem().string();
+    const std::string name = nameOfMap(text, course->worlds);
     course->worlds.push_back(gridWorld(name, readClosedMap(text), options));
     addGoals(kShortestInMap, options, &course->worlds.back());
   }

@@ -184,6 +184,15 @@ TEST_F(DriveTool, RefusesBadOptionsWithASentence) {
       << "what is there does not hide what is not";
 }
 
+TEST_F(DriveTool, TellsMapsOfTheSameNameApart) {
+  ASSERT_EQ(runTool("maps --width 8 --height 8 --output " + in("plan")).status, 0);
+  const nlohmann::json json =
+      result("--leader route --goals 1 --time-limit 1 --map " + in("plan.yaml") + " " + in("plan.yaml") + "=0.19");
+  ASSERT_EQ(json["worlds"].size(), 2u);
+  EXPECT_EQ(json["worlds"][0]["name"], "plan");
+  EXPECT_EQ(json["worlds"][1]["name"], "plan-2");
+}
+
 TEST_F(DriveTool, DrawsTheStatesOfNetworksWithAndWithoutRecurrentCells) {
   const std::string perceptron = in("perceptron.onnx");
   const test::Outcome training =
