@@ -24,6 +24,7 @@ std::vector<JudgedDrive> judgeEach(const DrivePolicy& policy, const AgentParamet
         NavigationAgent agent(policy, fittedToFootprint(own));
         StepSimulator drive(*exercise.world, task, conditions, random());
         JudgedDrive judged;
+        judged.world = world;
         judged.kind = exercise.kind;
         judged.arrived = drive.run(max_steps, &agent) == LoopEnd::kArrived;
         if (judged.arrived) judged.efficiency = task.shortest / std::max(task.shortest, drive.pathLength());

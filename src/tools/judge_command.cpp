@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "lstm_planner/common/geometry.hpp"
 #include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/practice/drive_judge.hpp"
 #include "lstm_planner/practice/recorded_choices.hpp"
@@ -70,11 +73,9 @@ bool readOptions(const std::vector<std::string>& arguments, JudgeOptions* option
   return line.parse(arguments);
 }
 
-/// Of a share that was seen `hits` times in `count`, with 95 % (Wilson, "Probable inference", 1927).
-std::pair<double, double> intervalOf(int hits, int count) {
+/// Of a share that was seen in `n` drives, with 95 % (Wilson, "Probable inference", 1927).
+std::pair<double, double> intervalOf(double share, double n) {
   constexpr double kZ = 1.96;
-  const double n = count;
-  const double share = hits / n;
   const double middle = (share + kZ * kZ / (2.0 * n)) / (1.0 + kZ * kZ / n);
   const double half = kZ / (1.0 + kZ * kZ / n) * std::sqrt(share * (1.0 - share) / n + kZ * kZ / (4.0 * n * n));
   // Rounding may put an end a little below 0 or above 1.
@@ -87,19 +88,35 @@ struct Sums {
   int drives = 0;
   int arrived = 0;
   double efficiency = 0.0;
+  std::map<int, std::pair<int, int>> by_world;  ///< drives and arrivals
 
   void add(const JudgedDrive& drive) {
     ++drives;
-    arrived += drive.arrived ? 1 : 0;
+    ++by_world[drive.world].first;
     efficiency += drive.efficiency;
+    if (!drive.arrived) return;
+    ++arrived;
+    ++by_world[drive.world].second;
   }
+  double arrival() const { return static_cast<double>(arrived) / drives; }
   double meanEfficiency() const { return efficiency / drives; }
+
+  /// So many drives, each in a world of its own, would tell as much: those in one world are alike (Kish, "Survey
+  /// sampling", 1965: design effect, ratio estimate). Where all arrived, or none, only the worlds count.
+  double independentDrives() const {
+    const auto worlds = static_cast<double>(by_world.size());
+    double spread = 0.0;
+    for (const auto& [world, counts] : by_world) spread += square(counts.second - arrival() * counts.first);
+    const double variance = spread / square(drives) * worlds / (worlds - 1.0);
+    if (!(variance > 0.0)) return worlds;
+    return std::clamp(arrival() * (1.0 - arrival()) / variance, worlds, static_cast<double>(drives));
+  }
 };
 
 void print(const TextTable& table, const std::string& name, const Sums& sums) {
-  const auto [low, high] = intervalOf(sums.arrived, sums.drives);
-  const std::string arrived = fixedText(100.0 * sums.arrived / sums.drives, 1) + " %  [" + fixedText(100.0 * low, 1) +
-                              ", " + fixedText(100.0 * high, 1) + "]";
+  const auto [low, high] = intervalOf(sums.arrival(), sums.independentDrives());
+  const std::string arrived = fixedText(100.0 * sums.arrival(), 1) + " %  [" + fixedText(100.0 * low, 1) + ", " +
+                              fixedText(100.0 * high, 1) + "]";
   std::cout << table.line({leftText(name, kNameWidth), std::to_string(sums.drives), arrived,
                            fixedText(sums.meanEfficiency(), 3)})
             << "\n";

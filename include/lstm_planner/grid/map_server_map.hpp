@@ -22,7 +22,8 @@ class MapFileError : public std::runtime_error {
 /// MapFileError, also when no cell is free by map_server's rule.
 OccupancyGrid readMapServerMap(const std::string& yaml_path, double free_threshold = -1.0);
 
-/// Path and threshold of FILE or FILE=FREE_THRESHOLD, as for `--map`; the threshold is -1 if there is none.
+/// Path and threshold of FILE or FILE=FREE_THRESHOLD, as for `--map`; the threshold is -1 if there is none. Throws
+/// MapFileError for one outside [0, 1].
 std::pair<std::string, double> splitFreeThreshold(const std::string& text);
 
 /// Reads a map named FILE or FILE=FREE_THRESHOLD. Unknown cells become occupied: otherwise the shortest path, or a

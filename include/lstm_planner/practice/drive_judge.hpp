@@ -21,6 +21,7 @@ struct DriveScore {
 
 /// One drive of a judgement.
 struct JudgedDrive {
+  int world = 0;         ///< number of the world
   std::size_t kind = 0;  ///< of world: index in DriveCourseParameters::worlds
   bool arrived = false;
   double efficiency = 0.0;  ///< shortest / driven path, at most 1; 0 if it did not arrive
