@@ -94,7 +94,8 @@ MotionCommand PlanFollower::compute() {
   perceive(reading, now);
   const double period = 1.0 / parameters_.controller_frequency;
   const double oldest = reading.second ? std::min(reading.first.stamp, reading.second->stamp) : reading.first.stamp;
-  tracker_.expectReactionTime(reading.scan_period, now.toSec() - oldest, period);
+  asked_.note(now.toSec());  // a busy computer may ask more seldom than controller_frequency says
+  tracker_.expectReactionTime(reading.scan_period, now.toSec() - oldest, std::max(period, asked_.period()));
   speed_ = std::abs(reading.twist.linear);
   MotionCommand command = tracker_.compute(odometry_plan, seen_, reading.twist, shield_, period);
   sayDelay();

@@ -12,6 +12,7 @@
 #include "lstm_planner/drive/motion/idle_watch.hpp"
 #include "lstm_planner/drive/motion/path_tracker.hpp"
 #include "lstm_planner/drive/perception/out_of_view.hpp"
+#include "lstm_planner/drive/perception/period_meter.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
 #include "lstm_planner/drive/plugin_parameters.hpp"
 #include "ros/common/costmap_reader.hpp"
@@ -76,6 +77,7 @@ class PlanFollower {
   CostmapReader costmap_;
   PathTracker tracker_;
   IdleWatch idle_;
+  PeriodMeter asked_;
   Shield shield_;
   OutOfView out_of_view_;      ///< of a robot with corners
   std::vector<Point2> known_;  ///< returns of this scan and of earlier ones, base frame, m
