@@ -36,7 +36,7 @@ constexpr int kBurnInSteps = 32;    ///< of these, steps that only bring the hid
 struct LabelledEpisode {
   std::vector<RecordedChoice> steps;  ///< with the teacher's answer, where it had one
   bool arrived = false;
-  double efficiency = 0.0;  ///< shortest / driven path if it arrived, else 0
+  double efficiency = 0.0;  ///< best / driven path if it arrived, else 0; see DriveScore
 };
 
 /// Who is at the wheel.

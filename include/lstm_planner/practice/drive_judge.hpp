@@ -14,8 +14,9 @@ namespace lstm_planner {
 struct DriveScore {
   int drives = 0;
   double arrival = 0.0;  ///< share of the drives
-  /// Mean of shortest / driven path; a drive that did not arrive counts as 0 ("success weighted by path length":
-  /// Anderson et al., "On evaluation of embodied navigation agents", 2018).
+  /// Mean of best / driven path, at most 1; a drive that did not arrive counts as 0 ("success weighted by path length":
+  /// Anderson et al., "On evaluation of embodied navigation agents", 2018). The best path is the teacher's, and its
+  /// length the cost that the teacher gives it: a metre near a wall counts as more.
   double efficiency = 0.0;
 };
 
@@ -24,7 +25,7 @@ struct JudgedDrive {
   int world = 0;         ///< number of the world
   std::size_t kind = 0;  ///< of world: index in DriveCourseParameters::worlds
   bool arrived = false;
-  double efficiency = 0.0;  ///< shortest / driven path, at most 1; 0 if it did not arrive
+  double efficiency = 0.0;  ///< best / driven path, at most 1; 0 if it did not arrive
 };
 
 /// Drives in so many worlds of a use, four drives in each, under random conditions. The same for any number of threads.
