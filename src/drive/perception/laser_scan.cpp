@@ -55,7 +55,7 @@ bool RangeProfile::isInView(double towards) const {
   const double width = step * static_cast<double>(ranges.size() - 1);
   const double turn = turnTo(towards);
   const double rounding = kRounding * step;
-  return width + 1.5 * step > kFullTurn || turn <= width + rounding || turn >= kFullTurn - rounding;
+  return closes() || turn <= width + rounding || turn >= kFullTurn - rounding;
 }
 
 void toProfile(const LaserScan& scan, const SensorMount& mount, const ScanRules& rules, RangeProfile* profile) {

@@ -16,6 +16,7 @@ constexpr double kLeastJump = 2.0;      // m/s; odometry that is faster than a s
 constexpr double kJump = 2.0;           // of the robot's speed, likewise
 constexpr double kPlaceSpacing = 0.08;  // m between remembered places
 constexpr double kSameThing = 0.15;     // m; a return this near to a place, or to the next return, belongs to it
+constexpr double kApart = 0.3;          // m; returns of one thing are nearer to one another, in MovingThings, too
 constexpr double kRestingReach = 1.5;   // m from the robot; what rests farther away does not matter yet
 constexpr std::size_t kMostGap = 2;     // beams of a moving thing that may be missing or in doubt between two
 
@@ -110,13 +111,14 @@ MovingReturns::Sight MovingReturns::sightOf(const Point2& point, const View& vie
   const long half = std::lround(beams_aside);
   const long first = center - half;
   const long last = center + half;
-  if (first < 0 || last >= static_cast<long>(profile.ranges.size())) {
+  const long beams = static_cast<long>(profile.ranges.size());
+  if ((first < 0 || last >= beams) && !profile.closes()) {
     return Sight::kUnknown;
   }
   long known = 0;
   double nearest = profile.farthest_range;
   for (long beam = first; beam <= last; ++beam) {
-    const double range = profile.ranges[static_cast<std::size_t>(beam)];
+    const double range = profile.ranges[static_cast<std::size_t>((beam + beams) % beams)];
     if (range > 0.0) {
       ++known;
       nearest = std::min(nearest, range);
@@ -143,7 +145,20 @@ void MovingReturns::collectReturns() {
         view_.toOdometry({profile.origin.x + range * direction.x, profile.origin.y + range * direction.y}));
     beams_.push_back(beam);
   }
+  if (profile.closes()) beginWithAThing();
   is_free_.assign(returns_.size(), 0);
+}
+
+/// Where a scan closes, what lies on both sides of its first beam is one thing: the returns begin with another one.
+void MovingReturns::beginWithAThing() {
+  for (std::size_t i = 1; i < returns_.size(); ++i) {
+    if (distanceBetween(returns_[i - 1], returns_[i]) <= kApart) continue;
+    const auto first = static_cast<std::ptrdiff_t>(i);
+    std::for_each(beams_.begin(), beams_.begin() + first, [&](auto& beam) { beam += view_.profile.ranges.size(); });
+    std::rotate(beams_.begin(), beams_.begin() + first, beams_.end());
+    std::rotate(returns_.begin(), returns_.begin() + first, returns_.end());
+    return;
+  }
 }
 
 void MovingReturns::compareWith(const View& reference) {

@@ -54,6 +54,8 @@ struct RangeProfile {
   bool isMeasured(std::size_t beam) const { return ranges[beam] > 0.0f && std::isfinite(ranges[beam]); }
   /// Index of the beam nearest to `direction` (rad, base frame); -1 when none is within an increment of it.
   long beamTowards(double direction) const;
+  /// Whether the last beam is beside the first one.
+  bool closes() const { return (static_cast<double>(ranges.size()) + 0.5) * std::abs(increment) > kFullTurn; }
   /// Whether `direction` (rad, base frame) lies between the first and the last beam. All do if the scan closes.
   bool isInView(double direction) const;
 

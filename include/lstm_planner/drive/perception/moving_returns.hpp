@@ -72,7 +72,8 @@ class MovingReturns {
   /// The same near the robot, of what has moved before and stands now.
   const std::vector<Point2>& resting() const { return resting_; }
 
-  /// All returns of the last scan within moving/range, in the order of the beams; odometry frame, m.
+  /// All returns of the last scan within moving/range, in the order of the beams; where the scan closes, from any beam
+  /// on. Odometry frame, m.
   const std::vector<Point2>& returns() const { return returns_; }
   /// For each of them, whether it moves.
   const std::vector<std::uint8_t>& moves() const { return moves_; }
@@ -111,6 +112,7 @@ class MovingReturns {
   void keepView();
   Sight sightOf(const Point2& point, const View& view) const;
   void collectReturns();
+  void beginWithAThing();
   void compareWith(const View& reference);
   void findMoving();
   void closeGroup();
@@ -126,7 +128,7 @@ class MovingReturns {
   std::deque<View> views_;   ///< the oldest first
   BeamDirections directions_;
   std::vector<Point2> returns_;        ///< of the last scan, odometry frame, in the order of the beams
-  std::vector<std::size_t> beams_;     ///< of the returns
+  std::vector<std::size_t> beams_;     ///< of the returns; increasing, also beyond the first beam
   std::vector<std::uint8_t> is_free_;  ///< a return each: an earlier scan saw free space there
   std::vector<std::uint8_t> moves_;
   std::vector<Point2> group_;  ///< returns beside one another that may be moving

@@ -8,6 +8,7 @@
 
 #include "lstm_planner/common/random.hpp"
 #include "lstm_planner/drive/perception/moving_returns.hpp"
+#include "lstm_planner/drive/perception/moving_things.hpp"
 #include "lstm_planner/simulation/hokuyo.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 
@@ -102,6 +103,33 @@ TEST_F(MovingReturnsTest, FindsAPersonWhoComesNearerAtAnySpeed) {
     EXPECT_GT(first_seen, 0.0) << speed;
     EXPECT_LE(first_seen, speed < 0.5 ? 0.6 : 0.4) << speed;  // the margin and three deviations of noise
   }
+}
+
+/// A scanner that sees all around, as an LDS-01. Its first beam may look ahead or back.
+TEST_F(MovingReturnsTest, WhatComesTowardsTheFirstBeamIsFoundAsAnywhereElse) {
+  HokuyoParameters all_around;
+  all_around.beams = 360;
+  all_around.angle_min = -M_PI;
+  all_around.angle_increment = 2.0 * M_PI / all_around.beams;
+  hokuyo_ = Hokuyo(all_around, 1);
+  MovingReturns ahead{MovingReturnsParameters{}};
+  MovingThings things;
+  MovingThings things_ahead;
+  const Pose2 pose{5.0, 2.0, M_PI_2};
+  std::size_t found = 0;
+  for (int i = 0; i < 25; ++i) {
+    sense(pose, {{{5.0, 5.0 - 0.1 * i}, 0.06}});  // a leg, at 1 m/s
+    found += moving_.points().empty() ? 0 : 1;
+    RangeProfile turned = profile_;
+    std::rotate(turned.ranges.begin(), turned.ranges.begin() + all_around.beams / 2, turned.ranges.end());
+    turned.first_direction = 0.0;
+    ahead.show(turned, pose, time_ - kPeriod);
+    ASSERT_EQ(ahead.points().size(), moving_.points().size()) << "scan " << i;
+    things.show(moving_.returns(), moving_.moves(), time_);
+    things_ahead.show(ahead.returns(), ahead.moves(), time_);
+    ASSERT_EQ(things_ahead.around(pose).size(), things.around(pose).size()) << "scan " << i;
+  }
+  EXPECT_GT(found, 8U);
 }
 
 TEST_F(MovingReturnsTest, FindsAPersonWhoStepsOutFromBehindAnotherOne) {
