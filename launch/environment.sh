@@ -74,9 +74,9 @@ required_packages() {
 
 # Packages that add something where the distribution has them: an independent reader of model files for the tests, the
 # driver's own messages, parameters that change while the robot drives, the navigation stack's other planners to compare
-# with, MPI for several processes, Google Benchmark, and rviz with its headers, for the panel, where somebody can see it.
+# with, Google Benchmark, and rviz with its headers, for the panel, where somebody can see it.
 optional_packages() {
-  printf '%s\n' libbenchmark-dev libopenmpi-dev openmpi-bin python3-onnx "${more_optional_packages[@]}"
+  printf '%s\n' libbenchmark-dev python3-onnx "${more_optional_packages[@]}"
   if [ "$1" = distribution ]; then
     # Debian packages static_transform_publisher, which navigation.launch starts, with tf2's tools.
     printf '%s\n' libdynamic-reconfigure-config-init-mutex-dev python3-dynamic-reconfigure tf2-tools

@@ -7,7 +7,7 @@ if(CATKIN_ENABLE_TESTING)
   set(test_options $<$<CONFIG:Release>:-O1>)
 
   file(GLOB fuzz_harnesses CONFIGURE_DEPENDS test/fuzz/harnesses/*.cpp)
-  file(GLOB_RECURSE unit_test_sources CONFIGURE_DEPENDS test/unit/*.cpp test/mpi/*.cpp)
+  file(GLOB_RECURSE unit_test_sources CONFIGURE_DEPENDS test/unit/*.cpp)
   if(unit_test_sources)
     # What the panel shows is prepared without rviz and Qt, and what a recipe says without the rest of the tool.
     list(APPEND unit_test_sources src/ros/panel/drive_view.cpp src/tools/recipe.cpp src/tools/shared_file.cpp
@@ -22,9 +22,6 @@ if(CATKIN_ENABLE_TESTING)
       ${precompiled_std} <fstream> <random> <Eigen/Core> <gtest/gtest.h>)
     target_compile_definitions(lstm_planner_unit_tests PRIVATE
       LSTM_PLANNER_SOURCE_DIR="${real_source_dir}" LSTM_PLANNER_TOOL="$<TARGET_FILE:lstm_planner>")
-    if(MPI_CXX_FOUND)
-      target_compile_definitions(lstm_planner_unit_tests PRIVATE LSTM_PLANNER_HAVE_MPI)
-    endif()
     add_dependencies(lstm_planner_unit_tests lstm_planner)
     target_link_libraries(lstm_planner_unit_tests
       lstm_planner_practice lstm_planner_grid_world ${OpenCV_LIBS} ${Protobuf_LIBRARIES} Poco::DataSQLite Poco::Data Poco::Foundation

@@ -6,20 +6,19 @@
 #include <memory>
 #include <vector>
 
-#include "lstm_planner/training/tile_exchange.hpp"
+#include "lstm_planner/common/parallel_for.hpp"
 #include "practice/drive_tile.hpp"
 
 namespace lstm_planner {
 
-/// Drives side by side in tiles of queues, gone through window by window: what an update learns from. Tiles are shared
-/// among ranks and threads, and their results added up in order, the same for any number of them. Every rank has all
-/// drives, and has to ask for the same.
+/// Drives side by side in tiles of queues, gone through window by window: what an update learns from. Threads share the
+/// tiles, whose results are added up in order, the same for any number of threads.
 class DriveBatch {
  public:
   /// All must outlive the batch.
   DriveBatch(const DriveActorCriticParameters& parameters, const LayerStack& policy, const LayerStack& critic,
              const std::vector<PracticeEpisode>& episodes)
-      : exchange_(parameters.communicator, parameters.threads) {
+      : threads_(parameters.threads) {
     do {
       tiles_.push_back(std::make_unique<DriveTile>(parameters, policy, critic));
     } while (static_cast<int>(tiles_.size()) * tiles_.front()->queues().count() < kQueues);
@@ -89,21 +88,20 @@ class DriveBatch {
   /// The sum of what `work` says of each tile. `zero`: of a tile with nothing in it.
   template <typename Sum, typename Work>
   Sum run(const Sum& zero, const Work& work) {
-    return exchange_.run(static_cast<int>(tiles_.size()), zero,
-                         [&](int tile, int) { return work(tiles_[static_cast<std::size_t>(tile)].get()); });
+    return parallelSum(static_cast<int>(tiles_.size()), threads_, zero,
+                       [&](int tile, int) { return work(tiles_[static_cast<std::size_t>(tile)].get()); });
   }
   /// Adds up the gradients, of `size` numbers, that `work` leaves in the tiles, and the steps that it says they are
   /// over.
   template <typename Work>
   double addUp(Eigen::Index size, const Work& work, Eigen::VectorXf* gradient) {
     const double steps = run(0.0, work);
-    *gradient = exchange_.sumOf(static_cast<int>(tiles_.size()), size, [&](int tile) -> const Eigen::VectorXf& {
-      return tiles_[static_cast<std::size_t>(tile)]->gradient();
-    });
+    gradient->setZero(size);
+    for (const auto& tile : tiles_) *gradient += tile->gradient();
     return steps;
   }
 
-  TileExchange exchange_;
+  int threads_;
   std::vector<std::unique_ptr<DriveTile>> tiles_;
   int windows_ = 0;
   int window_ = -1;

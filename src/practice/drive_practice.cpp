@@ -9,12 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "lstm_planner/common/communicator.hpp"
 #include "lstm_planner/common/parallel_for.hpp"
 #include "lstm_planner/drive/decision/action_choice.hpp"
 #include "lstm_planner/practice/step_simulator.hpp"
 #include "lstm_planner/training/policy_gradient.hpp"
-#include "practice/episode_exchange.hpp"
 #include "practice/path_example.hpp"
 
 namespace lstm_planner {
@@ -151,10 +149,9 @@ PracticeEpisode practiseAlone(const DriveActorCriticParameters& parameters, cons
 
 std::vector<PracticeEpisode> practise(const DriveActorCriticParameters& parameters, const LayerStack& layers,
                                       int iteration) {
-  const Share own = shareOf(parameters.worlds, parameters.communicator->rank(), parameters.communicator->size());
-  std::vector<std::vector<PracticeEpisode>> by_world(static_cast<std::size_t>(own.count()));
-  parallelFor(own.count(), parameters.threads, [&](int world, int) {
-    const int number = iteration * parameters.worlds + own.first + world;
+  std::vector<std::vector<PracticeEpisode>> by_world(static_cast<std::size_t>(parameters.worlds));
+  parallelFor(parameters.worlds, parameters.threads, [&](int world, int) {
+    const int number = iteration * parameters.worlds + world;
     Random seeds(parameters.seed * 1000003ULL + static_cast<std::uint64_t>(number));
     for (const DriveExercise& exercise : makeDriveExercises(parameters.course, WorldUse::kTraining, parameters.seed,
                                                             number, parameters.goals, parameters.starts)) {
@@ -172,7 +169,6 @@ std::vector<PracticeEpisode> practise(const DriveActorCriticParameters& paramete
       if (!episode.steps.empty()) episodes.push_back(std::move(episode));
     }
   }
-  episodes = exchangeEpisodes(parameters.communicator, std::move(episodes));
   if (episodes.empty()) throw std::runtime_error("no drive of the iteration had a step to learn from");
   return episodes;
 }

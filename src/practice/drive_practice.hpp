@@ -8,7 +8,7 @@
 
 namespace lstm_planner {
 
-/// All drives of iteration `iteration` (from 0) that had a step; the ranks share the worlds. The actions are drawn by
+/// All drives of iteration `iteration` (from 0) that had a step. The actions are drawn by
 /// the network's preferences (softmax), among those that the shield allows. A share of the drives (path_share) are
 /// examples (drivePathExample()). Throws std::runtime_error when there is no drive.
 std::vector<PracticeEpisode> practise(const DriveActorCriticParameters& parameters, const LayerStack& layers,

@@ -21,8 +21,13 @@ struct DriveBatchWeights {
 struct DriveTileEntropy {
   double sum = 0.0;  ///< nat
   double steps = 0.0;
+
+  DriveTileEntropy& operator+=(const DriveTileEntropy& other) {
+    sum += other.sum;
+    steps += other.steps;
+    return *this;
+  }
 };
-inline std::vector<double*> numbersOf(DriveTileEntropy* entropy) { return {&entropy->sum, &entropy->steps}; }
 
 /// Some queues of drives, gone through window by window: what one thread works on.
 class DriveTile {

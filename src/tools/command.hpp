@@ -12,7 +12,6 @@ struct Command {
   const char* name;
   const char* summary;
   int (*run)(const std::vector<std::string>& arguments);
-  bool shared = false;  ///< the processes that mpirun starts share the work; else there must be one only
 };
 
 /// "usage: PROGRAM KIND [OPTION]..." and the commands with what they do; `kind` is COMMAND or ACTION.

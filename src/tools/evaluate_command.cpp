@@ -13,7 +13,6 @@
 #include "tools/command_line.hpp"
 #include "tools/grid_options.hpp"
 #include "tools/output_file.hpp"
-#include "tools/ranks.hpp"
 #include "tools/report_files.hpp"
 #include "tools/shared_file.hpp"
 
@@ -112,7 +111,6 @@ int runEvaluate(const std::vector<std::string>& arguments) {
   comparison.agents = {{{options.grid.agent.agent, make_agent}, false}};
   comparison.sets = drawGridTaskSets(options.grid);
   evaluateAll(options.grid.evaluation, &comparison);
-  if (!isFirstRank()) return 0;
 
   std::ostringstream details;
   CsvWriter csv(&details);

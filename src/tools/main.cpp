@@ -1,17 +1,14 @@
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "lstm_planner/common/output_file.hpp"
 #include "lstm_planner/dataset/dataset.hpp"
 #include "tools/command.hpp"
-#include "tools/ranks.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -20,9 +17,9 @@ const std::vector<Command>& commands() {
   static const std::vector<Command> all = {
       {"drive", "drive a simulated robot to random goals and judge it", runDrive},
       {"judge", "judge a network of the robot in many short drives", runJudge},
-      {"train", "train a network for the robot or for the grid world", runTrain, true},
-      {"evaluate", "judge an agent in scenarios of grid maps", runEvaluate, true},
-      {"report", "compare agents with each other and with the thesis", runReport, true},
+      {"train", "train a network for the robot or for the grid world", runTrain},
+      {"evaluate", "judge an agent in scenarios of grid maps", runEvaluate},
+      {"report", "compare agents with each other and with the thesis", runReport},
       {"maps", "generate floor plans, or maps and scenarios of the grid world", runMaps},
       {"model", "look at a model file, check it, or add the metadata to one that was exported elsewhere", runModel},
       {"dataset", "look at, check, merge, split and export recorded drives", runDataset},
@@ -31,15 +28,8 @@ const std::vector<Command>& commands() {
   return all;
 }
 
-/// What went wrong on one rank has mostly gone wrong on all. The first says so, and ends the others before they do:
-/// they leave it time for that, also on a machine that is busy.
 int fail(const std::string& sentence) {
-  const Communicator& all = *ranks();
-  if (!isFirstRank()) std::this_thread::sleep_for(std::chrono::seconds(10));
-  const std::string rank =
-      isFirstRank() ? "" : " (rank " + std::to_string(all.rank()) + " of " + std::to_string(all.size()) + ")";
-  std::cerr << "lstm_planner" + sentence + rank + "\n";  // at once, or a launcher puts its own lines in between
-  if (all.size() > 1) endAllRanks(2);
+  std::cerr << "lstm_planner" << sentence << "\n";
   return 2;
 }
 
@@ -51,10 +41,8 @@ void endBySignal(int signal) {
 }
 
 int run(const Command& command, const std::vector<std::string>& arguments) {
-  if (!command.shared) requireOneRank("this command");
-  if (!isFirstRank()) std::cout.rdbuf(nullptr);
   const int status = command.run(arguments);
-  if (isFirstRank() && !std::cout.flush())
+  if (!std::cout.flush())
     throw std::runtime_error("standard output cannot be written; not all that was found is there");
   return status;
 }
@@ -85,7 +73,6 @@ int main(int argc, char** argv) {
     if (std::signal(signal, lstm_planner::endBySignal) == SIG_IGN) std::signal(signal, SIG_IGN);
   }
   try {
-    const lstm_planner::MpiSession session(&argc, &argv);
     return lstm_planner::runTool({argv + std::min(argc, 1), argv + argc});
   } catch (const std::exception& error) {
     return lstm_planner::fail(std::string(": ") + error.what());

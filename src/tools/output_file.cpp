@@ -9,13 +9,11 @@
 #include <system_error>
 
 #include "lstm_planner/common/output_file.hpp"
-#include "tools/ranks.hpp"
 
 namespace lstm_planner {
 
 void checkWritable(const std::string& path) {
   namespace fs = std::filesystem;
-  if (!isFirstRank()) return;
   try {
     const fs::file_status status = fs::status(path);
     if (fs::is_directory(status)) throw OutputFileError("it is a folder");
@@ -28,7 +26,6 @@ void checkWritable(const std::string& path) {
 }
 
 void makeOutputFolder(const std::string& path) {
-  if (!isFirstRank()) return;
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error) throw std::invalid_argument("cannot make folder '" + path + "': " + error.message());
@@ -38,7 +35,6 @@ void makeOutputFolder(const std::string& path) {
 }
 
 void writeTextFile(const std::string& path, const std::string& text) {
-  if (!isFirstRank()) return;
   writeOutputFile("file", path, [&](std::ostream& file) { file << text; });
 }
 

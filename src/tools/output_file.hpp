@@ -5,8 +5,6 @@
 
 namespace lstm_planner {
 
-// Of several ranks only the first does any of this; for the others the functions do nothing.
-
 /// Throws std::invalid_argument unless the file can be written; its contents stay. Asked before a long run.
 void checkWritable(const std::string& path);
 

@@ -5,32 +5,29 @@
 #include <iostream>
 
 #include "lstm_planner/common/output_file.hpp"
-#include "tools/ranks.hpp"
 
 namespace lstm_planner {
 namespace {
 
 constexpr unsigned long kTicks = 1000;
 
-volatile std::sig_atomic_t caught_signal = 0;  // of any rank
-volatile std::sig_atomic_t was_told = 0;       // this process by itself
+volatile std::sig_atomic_t caught_signal = 0;
 
 /// The first is remembered. Whoever sends another has no patience left; nothing stays half written all the same.
 void remember(int signal) {
-  if (was_told != 0) {
+  if (caught_signal != 0) {
     removeUnfinishedFiles();
     std::signal(signal, SIG_DFL);
     std::raise(signal);
     return;
   }
-  was_told = 1;
   caught_signal = signal;
 }
 
 }  // namespace
 
 Progress::Progress() {
-  if (isatty(STDERR_FILENO) != 0 && isFirstRank()) {
+  if (isatty(STDERR_FILENO) != 0) {
     bar_ = std::make_unique<Bar>(kTicks, std::cerr);
   }
 }
@@ -47,7 +44,6 @@ void Progress::show(double share) {
 
 Interruption::Interruption() {
   caught_signal = 0;
-  was_told = 0;
   struct sigaction action {};
   action.sa_handler = remember;
   action.sa_flags = SA_RESTART;
@@ -61,12 +57,7 @@ Interruption::~Interruption() {
   ::sigaction(SIGTERM, &terminate_before_, nullptr);
 }
 
-bool Interruption::wanted() const {
-  // A signal that comes while the ranks exchange is asked about the next time.
-  const int agreed = largestOfRanks(ranks(), caught_signal);
-  if (agreed != 0) caught_signal = agreed;
-  return agreed != 0;
-}
+bool Interruption::wanted() const { return caught_signal != 0; }
 
 int Interruption::exitStatus() const { return 128 + caught_signal; }
 

@@ -11,7 +11,7 @@
 
 namespace lstm_planner {
 
-/// A progress bar on the terminal; silent where standard error is not one, and but for the first of several ranks.
+/// A progress bar on the terminal; silent where standard error is not one.
 class Progress {
  public:
 #if __has_include(<boost/timer/progress_display.hpp>)
@@ -36,7 +36,6 @@ class Interruption {
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
-  /// On any rank: several agree, and each has to ask.
   bool wanted() const;
   /// What a program that ended by the signal returns: 130 after Ctrl-C.
   int exitStatus() const;

@@ -9,7 +9,6 @@
 #include "tools/command_line.hpp"
 #include "tools/grid_options.hpp"
 #include "tools/output_file.hpp"
-#include "tools/ranks.hpp"
 #include "tools/report_files.hpp"
 
 namespace lstm_planner {
@@ -77,7 +76,6 @@ int runReport(const std::vector<std::string>& arguments) {
   comparison.rules = options.grid.evaluation.rules;
   comparison.sets = drawGridTaskSets(options.grid);
   evaluateAll(options.grid.evaluation, &comparison);
-  if (!isFirstRank()) return 0;
 
   std::ostringstream report;
   report << "# Agents of the grid world\n\n" << rulesText(options.grid) << "\n\n";

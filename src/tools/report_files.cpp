@@ -8,7 +8,6 @@
 #include "lstm_planner/grid_world/evaluation/grid_thesis.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
-#include "tools/ranks.hpp"
 #include "tools/shared_file.hpp"
 
 namespace lstm_planner {
@@ -118,7 +117,6 @@ void evaluateAll(const GridEvaluationOptions& options, GridComparison* compariso
     comparison->episodes.emplace_back();
     for (const ReportAgent& agent : comparison->agents) {
       GridEvaluationOptions evaluation = options;
-      evaluation.communicator = ranks();
       evaluation.progress = [&](double share) { progress.show((done + share) / runs); };
       comparison->episodes.back().push_back(evaluateGridTasks(set, 0, set.tasks.size(), agent.agent.make, evaluation));
       ++done;

@@ -6,7 +6,6 @@
 #include "tools/command_line.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
-#include "tools/ranks.hpp"
 
 namespace lstm_planner {
 
@@ -43,7 +42,6 @@ bool readOptions(const std::vector<std::string>& arguments, MemoryOptions* optio
 int runMemoryReport(const std::vector<std::string>& arguments) {
   MemoryOptions options;
   if (!readOptions(arguments, &options)) return 0;
-  requireOneRank("--memory-task");
   makeOutputFolder(options.output);
   const MemoryComparisonParameters& comparison = options.comparison;
   const Interruption interruption;

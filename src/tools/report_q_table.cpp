@@ -6,7 +6,6 @@
 #include "tools/command_line.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
-#include "tools/ranks.hpp"
 #include "tools/report_files.hpp"
 
 namespace lstm_planner {
@@ -50,7 +49,6 @@ bool readOptions(const std::vector<std::string>& arguments, QTableOptions* optio
 int runQTableReport(const std::vector<std::string>& arguments) {
   QTableOptions options;
   if (!readOptions(arguments, &options)) return 0;
-  requireOneRank("--q-table");
   std::vector<std::pair<std::string, GridAgentMaker>> others;
   for (const ReportAgent& agent : agentsFromTexts(options.agents, {})) {
     others.emplace_back(agent.agent.name, agent.agent.make);

@@ -16,7 +16,6 @@
 #include "tools/command_line.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
-#include "tools/ranks.hpp"
 #include "tools/report_files.hpp"
 
 namespace lstm_planner {
@@ -118,7 +117,7 @@ std::vector<ReportAgent> trainAgents(const ThesisOptions& options, const ThesisM
     const ThesisNetworkResult trained =
         trainThesisNetwork(network, options.training, filesOf(maps.training), filesOf(maps.validation), progress);
     if (interruption.wanted()) throw std::runtime_error("interrupted while " + network.name + " was trained");
-    if (isFirstRank()) writeModelFile(options.output + "/" + network.file, trained.model);
+    writeModelFile(options.output + "/" + network.file, trained.model);
     table.row({network.name, std::to_string(countWeights(trained.model.layers)),
                percentText(trained.training_accuracy, 2), percentText(trained.validation_accuracy, 2)});
     agents.push_back(networkAgent(network.name, trained.model, false));
@@ -188,7 +187,6 @@ int runThesisReport(const std::vector<std::string>& arguments) {
   ThesisOptions options;
   if (!readOptions(arguments, &options)) return 0;
   makeOutputFolder(options.output);
-  options.training.trainer.communicator = ranks();
   const ThesisMaps maps = chooseThesisMaps(setsIn(options.folders), options.training.seed);
   std::ostringstream report;
   std::size_t printed = 0;
@@ -212,14 +210,12 @@ int runThesisReport(const std::vector<std::string>& arguments) {
     report << "# Tables 3.7-3.9, paths of 10 to " << max_length << " cells\n\n" << reportTables(comparison);
     appendSolvedAverages(comparison, report);
     if (max_length == kScenarioPlaces) continue;
-    if (!isFirstRank()) continue;
     print();  // figures may fail for want of gnuplot or of room on the disk, after hours of training
     std::ostringstream figures;
     writeFigures(comparison, drawGridTasks({"training", maps.training}, options.selection), options.evaluation,
                  options.output, figures);
     report << "# Figures 3.9-3.17\n\n" << figures.str();
   }
-  if (!isFirstRank()) return 0;
   writeTextFile(options.output + "/thesis.md", report.str());
   print();
   std::cout << "wrote " << options.output << "/thesis.md\n";

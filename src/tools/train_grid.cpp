@@ -17,7 +17,6 @@
 #include "lstm_planner/network/model_file.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
-#include "tools/ranks.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -117,7 +116,6 @@ void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrain
                             CommandLine* line) {
   GridTrainingOptions& o = *options;
   o.command = trainCommandLine(arguments);
-  o.loop.communicator = ranks();
   addGridMapOptions(options, line);
   line->add("dead-ends", &o.dead_ends, kAnyShare,
             "share of the training episodes that start in a dead end, where there is one between the start and the "
@@ -179,7 +177,6 @@ double GridTrainingHost::judge(const LayerStack& layers) {
   evaluation.rules.max_steps = options_.max_steps;
   evaluation.rules.corner_cutting = options_.corner_cutting;
   evaluation.threads = options_.threads;
-  evaluation.communicator = ranks();
   success_.clear();
   double mean = 0.0;
   for (const GridTaskSet& set : sets_) {

@@ -10,7 +10,6 @@
 #include "lstm_planner/training/learning_curve.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
-#include "tools/ranks.hpp"
 #include "tools/train_grid.hpp"
 #include "tools/training.hpp"
 
@@ -75,7 +74,6 @@ bool readImitationOptions(const std::string& method, const std::vector<std::stri
   p.seed = options->seed;
   p.threads = options->threads;
   validate(p);
-  p.trainer.communicator = ranks();
   options->loop.settings = line.settings();
   return true;
 }
@@ -127,7 +125,7 @@ int trainByImitation(const std::string& method, const std::vector<std::string>& 
   const auto training = gridImitation(parameters, layers, maps.training, validationMaps(maps));
   GridImitationHost host(options, maps.validation, parameters.trainer.epochs, *training);
   const TrainingOutcome outcome = runTraining(options.loop, training.get(), &host);
-  if (!options.curve.empty() && isFirstRank()) writeLearningCurve(options.curve, training->curve());
+  if (!options.curve.empty()) writeLearningCurve(options.curve, training->curve());
   return host.end(outcome);
 }
 

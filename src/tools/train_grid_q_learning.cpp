@@ -13,7 +13,6 @@
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/output_file.hpp"
-#include "tools/ranks.hpp"
 #include "tools/train_grid.hpp"
 #include "tools/training.hpp"
 
@@ -115,7 +114,7 @@ class GridQLearningHost : public GridTrainingHost {
   }
 
   void drawCurve(const std::string& file) const {
-    if (!file.empty() && !points_.empty() && isFirstRank()) writeGridCurve(file, names(), points_);
+    if (!file.empty() && !points_.empty()) writeGridCurve(file, names(), points_);
   }
 
  private:
@@ -175,7 +174,6 @@ bool readOptions(const std::vector<std::string>& arguments, GridTrainingOptions*
   p.epochs = options->epochs;
   p.seed = options->seed;
   p.threads = options->threads;
-  p.communicator = ranks();
   validate(p);
   options->loop.settings = line.settings();
   return true;

@@ -6,7 +6,6 @@
 #include "tools/command_line.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
-#include "tools/ranks.hpp"
 #include "tools/train_grid.hpp"
 
 namespace lstm_planner {
@@ -75,7 +74,6 @@ std::string report(const SearchOptions& options, const GridTrainingMaps& maps,
 int searchGridStructures(const std::vector<std::string>& arguments) {
   SearchOptions options;
   if (!readOptions(arguments, &options)) return 0;
-  requireOneRank("--search");
   const Interruption interruption;
   const GridTrainingMaps maps = loadGridTrainingMaps(options.grid);
   Progress bar;

@@ -11,7 +11,6 @@
 #include "lstm_planner/training/confusion.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
-#include "tools/ranks.hpp"
 #include "tools/shared_file.hpp"
 #include "tools/training.hpp"
 
@@ -113,7 +112,6 @@ void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTra
   RobotTrainingOptions& o = *options;
   o.command = trainCommandLine(arguments);
   o.loop.output = "own.onnx";  // never a model that ships with the package
-  o.loop.communicator = ranks();
   line->addChoice("task", &o.task, {"robot", "grid"}, "robot (this) or grid");
   line->add("method", &o.method, "dagger (default), actor-critic or dataset; --method NAME --help explains it");
   line->addOutput("output", &o.loop.output, "ONNX file to write");

@@ -8,7 +8,6 @@
 #include "lstm_planner/practice/recorded_choices.hpp"
 #include "lstm_planner/training/confusion.hpp"
 #include "tools/command.hpp"
-#include "tools/ranks.hpp"
 #include "tools/train_robot.hpp"
 #include "tools/training.hpp"
 
@@ -64,7 +63,6 @@ bool readPlan(const std::vector<std::string>& arguments, RobotReinforcementPlan*
   p.max_steps = plan->options.max_steps;
   p.seed = plan->options.seed;
   p.threads = plan->options.threads;
-  p.communicator = ranks();
   plan->options.loop.settings = line.settings();
   return true;
 }

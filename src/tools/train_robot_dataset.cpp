@@ -26,7 +26,6 @@
 #include "lstm_planner/training/training_stability.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
-#include "tools/ranks.hpp"
 #include "tools/train_robot.hpp"
 #include "tools/training.hpp"
 
@@ -152,8 +151,6 @@ bool readDatasetTrainingOptions(const std::vector<std::string>& arguments, Datas
   addPictureOptions(options, &line);
   line.whenParsed([&] {
     options->training.trainer.seed = options->seed;
-    options->training.trainer.communicator = ranks();
-    options->loop.communicator = ranks();
     options->loop.keep_last = true;  // by then the best epoch is chosen
     validate(options->training);
     check(line, *options);
@@ -261,7 +258,7 @@ class DatasetTrainingHost : public ToolTrainingHost {
   void stepDone() override {
     const EpochReport& report = training_.epoch();
     printEpoch(report);
-    if (options_.snapshots > 0 && report.epoch % options_.snapshots == 0 && isFirstRank()) writeSnapshot(report);
+    if (options_.snapshots > 0 && report.epoch % options_.snapshots == 0) writeSnapshot(report);
     if (!options_.stability.empty()) {
       stability_.push_back(
           measureEpoch(training_.layers(), training_.state(), training_.training(), options_.training.trainer.threads));

@@ -5,7 +5,6 @@
 #include "lstm_planner/practice/imitation.hpp"
 #include "lstm_planner/training/learning_curve.hpp"
 #include "tools/command.hpp"
-#include "tools/ranks.hpp"
 #include "tools/train_robot.hpp"
 #include "tools/training.hpp"
 
@@ -43,7 +42,6 @@ bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* op
   imitation.max_steps = options->max_steps;
   imitation.threads = imitation.trainer.threads = options->threads;
   imitation.seed = imitation.trainer.seed = options->seed;
-  imitation.trainer.communicator = ranks();
   validate(imitation);
   options->loop.settings = line.settings();
   return true;
@@ -101,7 +99,7 @@ int trainRobotByDagger(const std::vector<std::string>& arguments) {
   if (!readOptions(arguments, &options)) return 0;
   ImitationHost host(options);
   const TrainingOutcome outcome = runTraining(options.loop, &host.training(), &host);
-  if (!options.curve.empty() && isFirstRank()) writeLearningCurve(options.curve, host.training().rounds().curve());
+  if (!options.curve.empty()) writeLearningCurve(options.curve, host.training().rounds().curve());
   return host.end(outcome);
 }
 

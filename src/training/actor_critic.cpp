@@ -56,12 +56,16 @@ void CriticSums::moveVariances(double share, std::vector<double>* variances) con
   }
 }
 
-std::vector<double*> numbersOf(CriticSums* sums) {
-  std::vector<double*> all = {&sums->steps, &sums->returns, &sums->squared_returns, &sums->squared_errors};
-  for (std::vector<double>* by_set : {&sums->set_steps, &sums->set_squared_advantages}) {
-    for (double& number : *by_set) all.push_back(&number);
+CriticSums& CriticSums::operator+=(const CriticSums& other) {
+  steps += other.steps;
+  returns += other.returns;
+  squared_returns += other.squared_returns;
+  squared_errors += other.squared_errors;
+  for (std::size_t set = 0; set < set_steps.size(); ++set) {
+    set_steps[set] += other.set_steps[set];
+    set_squared_advantages[set] += other.set_squared_advantages[set];
   }
-  return all;
+  return *this;
 }
 
 ActorCritic::ActorCritic(const ActorCriticParameters& parameters, int updates, const LayerStack& policy,

@@ -6,33 +6,14 @@
 #include <string>
 #include <utility>
 
+#include "lstm_planner/common/parallel_for.hpp"
 #include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
-#include "lstm_planner/training/tile_exchange.hpp"
 
 namespace lstm_planner {
 namespace {
 
 using Batch = SequenceGradient::Batch;
-
-/// A group's LossSum as numbers that ranks exchange: counts are exact as double up to 2^53.
-struct GroupLoss {
-  GroupLoss(const LossSum& sum, Eigen::Index classes)
-      : loss(sum.loss), weight(sum.weight), counts(Eigen::MatrixXd::Zero(classes, classes)) {
-    if (sum.confusion.size() > 0) counts = sum.confusion.cast<double>();
-  }
-  LossSum sum() const { return {loss, weight, counts.cast<std::int64_t>()}; }
-
-  double loss;
-  double weight;
-  Eigen::MatrixXd counts;
-};
-
-std::vector<double*> numbersOf(GroupLoss* group) {
-  std::vector<double*> numbers = {&group->loss, &group->weight};
-  for (Eigen::Index i = 0; i < group->counts.size(); ++i) numbers.push_back(group->counts.data() + i);
-  return numbers;
-}
 
 Batch pointersTo(const std::vector<Sequence>& sequences) {
   Batch pointers;
@@ -84,38 +65,32 @@ const LayerStack& checked(const LayerStack& layers, const std::vector<Sequence>&
 }  // namespace
 
 /// Loss of a batch, and its gradient where it is asked for, computed group by group and summed in the groups' order:
-/// the sum does not depend on which thread of which rank did which group.
+/// the sum does not depend on which thread did which group.
 class GroupedGradient {
  public:
-  GroupedGradient(const LayerStack& layers, Loss loss, int threads, Communicator* ranks)
-      : exchange_(ranks, threads), classes_(outputSize(layers)) {
+  GroupedGradient(const LayerStack& layers, Loss loss, int threads) {
     for (int thread = 0; thread < threads; ++thread) workers_.emplace_back(layers, loss);
   }
 
   LossSum loss(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf* gradient = nullptr) {
     if (batch.empty()) return {};
     const std::vector<Batch> groups = SequenceGradient::groupsOf(batch);
-    const auto count = static_cast<int>(groups.size());
     std::vector<Eigen::VectorXf> gradients(groups.size());
     const auto work = [&](int group, int thread) {
       const auto index = static_cast<std::size_t>(group);
       SequenceGradient& worker = workers_[static_cast<std::size_t>(thread)];
-      return GroupLoss(worker.loss(parameters, groups[index], gradient != nullptr ? &gradients[index] : nullptr),
-                       classes_);
+      return worker.loss(parameters, groups[index], gradient != nullptr ? &gradients[index] : nullptr);
     };
-    const LossSum sum = exchange_.run(count, GroupLoss({}, classes_), work).sum();
+    const LossSum sum =
+        parallelSum(static_cast<int>(groups.size()), static_cast<int>(workers_.size()), LossSum(), work);
     if (gradient != nullptr) {
-      const auto gradientOf = [&](int group) -> const Eigen::VectorXf& {
-        return gradients[static_cast<std::size_t>(group)];
-      };
-      *gradient = exchange_.sumOf(count, parameters.size(), gradientOf);
+      gradient->setZero(parameters.size());
+      for (const Eigen::VectorXf& of_group : gradients) *gradient += of_group;
     }
     return sum;
   }
 
  private:
-  TileExchange exchange_;
-  Eigen::Index classes_;
   std::vector<SequenceGradient> workers_;
 };
 
@@ -124,8 +99,7 @@ Trainer::Trainer(const LayerStack& layers, const std::vector<Sequence>& training
     : parameters_(parameters),
       layers_(checked(layers, training, validation, parameters)),
       state_(*state),
-      gradient_(
-          std::make_unique<GroupedGradient>(layers, parameters.loss, parameters.threads, parameters.communicator)),
+      gradient_(std::make_unique<GroupedGradient>(layers, parameters.loss, parameters.threads)),
       optimiser_(parameters.optimiser, weightMask(layers)),
       order_(pointersTo(training)),
       validation_(pointersTo(validation)),
@@ -229,7 +203,7 @@ LossSum evaluate(const LayerStack& layers, const std::vector<Sequence>& sequence
   checkAtLeastOne("threads", threads);
   validateLayers(layers);
   validateSequences(sequences, inputSize(layers), outputSize(layers), "evaluation");
-  GroupedGradient gradient(layers, TrainerParameters{}.loss, threads, oneProcess());
+  GroupedGradient gradient(layers, TrainerParameters{}.loss, threads);
   return gradient.loss(parameterVector(layers), pointersTo(sequences));
 }
 

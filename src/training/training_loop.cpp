@@ -39,14 +39,13 @@ class TrainingLoop {
   /// The best of several judgements owes something to luck; the last network owes nothing to it.
   bool isLast() const { return options_.keep_last && training_.done(); }
   bool isAnythingKept() const { return !options_.checkpoint.empty() && best_; }
-  bool isFirstRank() const { return options_.communicator->rank() == 0; }
 
   void judge(bool due) {
     const double score = host_.judge(training_.layers());
     const bool best = !best_ || score > *best_ || (options_.keep_later && score == *best_);
     if (best || isLast()) {
       best_ = score;
-      if (isFirstRank()) host_.keep(training_.layers());
+      host_.keep(training_.layers());
     }
     host_.judged({score, best, due});
   }
@@ -72,7 +71,7 @@ class TrainingLoop {
   }
 
   void writeCheckpoint(bool at_once, const std::optional<double>& best) {
-    if (options_.checkpoint.empty() || !training_.resumable() || !isFirstRank()) return;
+    if (options_.checkpoint.empty() || !training_.resumable()) return;
     const Clock::time_point now = Clock::now();
     if (!at_once && std::chrono::duration<double>(now - last_checkpoint_).count() < options_.checkpoint_interval) {
       return;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <exception>
 #include <mutex>
 #include <system_error>
@@ -34,6 +35,18 @@ void parallelFor(int count, int threads, const Work& work) {
   run(0);
   for (std::thread& helper : helpers) helper.join();
   if (failure) std::rethrow_exception(failure);
+}
+
+/// `zero` plus what work(index, thread) returns for every index in [0, count), from parallelFor(). Added up in the
+/// order of the indices, so that rounding does not depend on the threads.
+template <typename Sum, typename Work>
+Sum parallelSum(int count, int threads, const Sum& zero, const Work& work) {
+  std::vector<Sum> parts(static_cast<std::size_t>(count), zero);
+  parallelFor(count, threads,
+              [&](int index, int thread) { parts[static_cast<std::size_t>(index)] = work(index, thread); });
+  Sum sum = zero;
+  for (const Sum& part : parts) sum += part;
+  return sum;
 }
 
 }  // namespace lstm_planner

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "lstm_planner/common/communicator.hpp"
 #include "lstm_planner/network/layers.hpp"
 #include "lstm_planner/training/optimiser.hpp"
 
@@ -22,8 +21,7 @@ struct ActorCriticParameters {
   double critic_learning_rate = 0.005;
   double max_gradient_norm = 0.5;
   std::uint64_t seed = 1;
-  int threads = 2;                            ///< does not change the result
-  Communicator* communicator = oneProcess();  ///< ranks that share the work; does not change the result
+  int threads = 2;  ///< does not change the result
 };
 
 /// Visits the parameters that have an option, by the option's name; see parameter_visitors.hpp.
@@ -51,12 +49,13 @@ struct CriticSums {
   /// Adds a step in a set; the critic gives its state the value `value`.
   void count(std::size_t set, double value, double advantage);
 
+  CriticSums& operator+=(const CriticSums& other);  ///< of as many sets
+
   /// Share of the variance of the returns that the critic explains.
   double explained() const;
   /// Moves each variance by that share towards the variance of these steps; sets without steps keep theirs.
   void moveVariances(double share, std::vector<double>* variances) const;
 };
-std::vector<double*> numbersOf(CriticSums* sums);
 
 /// The weights of a policy and its critic while they learn, on any course: optimisers, schedule, the variance of the
 /// advantages, and the checkpoint of all this.

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "lstm_planner/common/communicator.hpp"
 #include "lstm_planner/network/layers.hpp"
 #include "lstm_planner/training/optimiser.hpp"
 
@@ -46,8 +45,7 @@ struct QLearningParameters {
   double learning_rate = 0.003;
   double max_gradient_norm = 0.5;
   std::uint64_t seed = 1;
-  int threads = 2;                            ///< does not change the result
-  Communicator* communicator = oneProcess();  ///< ranks that share the work; does not change the result
+  int threads = 2;  ///< does not change the result
 };
 
 /// Visits the parameters that have an option, by the option's name; see parameter_visitors.hpp.

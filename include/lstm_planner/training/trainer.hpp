@@ -5,7 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include "lstm_planner/common/communicator.hpp"
 #include "lstm_planner/common/random.hpp"
 #include "lstm_planner/network/layers.hpp"
 #include "lstm_planner/training/gradient.hpp"
@@ -16,11 +15,10 @@ namespace lstm_planner {
 
 /// How a network learns from sequences.
 struct TrainerParameters {
-  int epochs = 20;       ///< passes over the training set, >= 1
-  int batch_size = 128;  ///< sequences per update, >= 1; with a recurrent layer one takes as long as 16
-  int threads = 2;       ///< >= 1; they share the groups of a batch (SequenceGradient); does not change the result
-  Communicator* communicator = oneProcess();  ///< ranks that share the groups; does not change the result
-  std::uint64_t seed = 1;                     ///< of the order of the sequences
+  int epochs = 20;         ///< passes over the training set, >= 1
+  int batch_size = 128;    ///< sequences per update, >= 1; with a recurrent layer one takes as long as 16
+  int threads = 2;         ///< >= 1; they share the groups of a batch (SequenceGradient); does not change the result
+  std::uint64_t seed = 1;  ///< of the order of the sequences
   OptimiserParameters optimiser;
   Loss loss = Loss::kCrossEntropy;  ///< what is minimised, and reported
 
@@ -75,8 +73,8 @@ class GroupedGradient;
 ///
 /// The epoch with the highest accuracy on the validation set is kept, of equal ones that with the lower loss; without a
 /// validation set the last epoch. With averaging, the averaged weights are compared and kept. The same input gives the
-/// same weights, bit for bit, for any number of threads and ranks; every rank must make the same calls. If `state` is
-/// that of a started training, it is continued as if there had been no break. `state` is updated after each epoch.
+/// same weights, bit for bit, for any number of threads. If `state` is that of a started training, it is continued as
+/// if there had been no break. `state` is updated after each epoch.
 class Trainer {
  public:
   /// Sequences and state must outlive the trainer. Throws std::invalid_argument for parameters, layers or sequences
@@ -113,7 +111,7 @@ class Trainer {
 /// Called after each epoch; if it returns false, training ends early.
 using EpochCallback = std::function<bool(const EpochReport&)>;
 
-/// All epochs of a Trainer. The callback must return the same on every rank; `state`, if given, is updated before it.
+/// All epochs of a Trainer. `state`, if given, is updated before the callback.
 TrainingResult train(const LayerStack& layers, const std::vector<Sequence>& training,
                      const std::vector<Sequence>& validation, const TrainerParameters& parameters,
                      const EpochCallback& callback = {}, TrainingState* state = nullptr);

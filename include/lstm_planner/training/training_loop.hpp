@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/common/communicator.hpp"
 #include "lstm_planner/network/layers.hpp"
 
 namespace lstm_planner {
@@ -47,12 +46,12 @@ class TrainingHost {
   /// Called once before the first step, after the checkpoint was read, if there was one.
   virtual void started(bool resumed) = 0;
   virtual void stepDone() = 0;
-  /// Called after every step. Must return the same on every rank.
+  /// Called after every step.
   virtual bool stopWanted() = 0;
 
   /// The network's score; a higher one is better.
   virtual double judge(const LayerStack& layers) = 0;
-  /// Writes the network that was judged last to the output file. Called on the first rank only.
+  /// Writes the network that was judged last to the output file.
   virtual void keep(const LayerStack& layers) = 0;
   virtual void judged(const Judgement& judgement) = 0;
 
@@ -63,13 +62,12 @@ class TrainingHost {
 
 /// Which files a training writes, and when.
 struct TrainingLoopOptions {
-  std::string checkpoint;                     ///< file to write, and to continue from if it exists; empty: none
-  nlohmann::json settings;                    ///< what else the result depends on; see TrainingCheckpoint
-  std::string output;                         ///< the file to which the host writes networks
-  bool keep_last = false;                     ///< the network at the end is kept, with any score
-  bool keep_later = false;                    ///< of networks with the same score, the later one is kept
-  double checkpoint_interval = 5.0;           ///< s between checkpoints; a judgement and a stop write one at once
-  Communicator* communicator = oneProcess();  ///< ranks that train together: the first writes the files
+  std::string checkpoint;            ///< file to write, and to continue from if it exists; empty: none
+  nlohmann::json settings;           ///< what else the result depends on; see TrainingCheckpoint
+  std::string output;                ///< the file to which the host writes networks
+  bool keep_last = false;            ///< the network at the end is kept, with any score
+  bool keep_later = false;           ///< of networks with the same score, the later one is kept
+  double checkpoint_interval = 5.0;  ///< s between checkpoints; a judgement and a stop write one at once
 };
 
 /// How a training ended.

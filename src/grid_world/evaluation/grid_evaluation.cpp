@@ -4,7 +4,6 @@
 #include <cmath>
 #include <mutex>
 #include <stdexcept>
-#include <type_traits>
 
 #include "lstm_planner/common/parallel_for.hpp"
 #include "lstm_planner/common/quantile.hpp"
@@ -58,62 +57,6 @@ class RangeTables {
   std::vector<Entry> entries_;
 };
 
-/// An episode and which task it is of.
-struct TaskEpisode {
-  std::size_t task = 0;
-  GridEpisode episode;
-};
-static_assert(std::is_trivially_copyable_v<TaskEpisode>, "episodes are sent as bytes");
-
-/// The tasks [first, last), which threads of all ranks run batch by batch.
-class SharedTasks {
- public:
-  SharedTasks(const GridTaskSet& set, std::size_t first, std::size_t last, const GridAgentMaker& make_agent,
-              const GridEvaluationOptions& options, std::size_t threads)
-      : set_(set),
-        make_agent_(make_agent),
-        options_(options),
-        batches_(batchesOf(set, first, last, threads * static_cast<std::size_t>(options.communicator->size()))),
-        tickets_(options.communicator->tickets(batches_.size())),
-        tables_(set) {}
-
-  /// One thread's part.
-  void run(bool tells_progress, std::vector<TaskEpisode>* episodes) {
-    std::shared_ptr<const RangeTable> ranges;  // kept until the next batch has its own, which may be the same
-    for (std::size_t drawn = tickets_->draw(); drawn < batches_.size(); drawn = tickets_->draw()) {
-      const Batch& batch = batches_[drawn];
-      ranges = tables_.take(set_.tasks[batch.first].map);
-      for (std::size_t i = batch.last; i-- > batch.first;) {
-        episodes->push_back({i, episodeOf(set_.tasks[i], *ranges)});
-        tickets_->letOthersDraw();
-        if (tells_progress && options_.progress) options_.progress(shareDone(i));
-      }
-    }
-  }
-
- private:
-  GridEpisode episodeOf(const GridTask& task, const RangeTable& ranges) const {
-    const PassableGrid& grid = set_.maps[task.map];
-    const std::unique_ptr<GridAgent> agent = make_agent_(grid);
-    GridEpisode episode = runGridEpisode(grid, ranges, task.start, task.goal, options_.rules, agent.get());
-    episode.optimal_length = task.optimal_length;
-    return episode;
-  }
-
-  /// With this task, as the last ones are run first.
-  double shareDone(std::size_t task) const {
-    const std::size_t last = batches_.front().last;
-    return static_cast<double>(last - task) / static_cast<double>(last - batches_.back().first);
-  }
-
-  const GridTaskSet& set_;
-  const GridAgentMaker& make_agent_;
-  const GridEvaluationOptions& options_;
-  std::vector<Batch> batches_;
-  std::unique_ptr<Tickets> tickets_;
-  RangeTables tables_;
-};
-
 double mean(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double value : values) sum += value;
@@ -134,14 +77,28 @@ std::vector<double> ofArrived(const std::vector<GridEpisode>& episodes, const Va
 std::vector<GridEpisode> evaluateGridTasks(const GridTaskSet& set, std::size_t first, std::size_t last,
                                            const GridAgentMaker& make_agent, const GridEvaluationOptions& options) {
   const int threads = std::max(1, options.threads);
-  SharedTasks tasks(set, first, last, make_agent, options, static_cast<std::size_t>(threads));
-  std::vector<std::vector<TaskEpisode>> by_thread(static_cast<std::size_t>(threads));
-  parallelFor(threads, threads,
-              [&](int part, int thread) { tasks.run(thread == 0, &by_thread[static_cast<std::size_t>(part)]); });
-  std::vector<TaskEpisode> own;
-  for (const auto& part : by_thread) own.insert(own.end(), part.begin(), part.end());
+  const std::vector<Batch> batches = batchesOf(set, first, last, static_cast<std::size_t>(threads));
+  RangeTables tables(set);
+  // Each thread's is kept until its next batch has its own, which may be the same.
+  std::vector<std::shared_ptr<const RangeTable>> ranges(static_cast<std::size_t>(threads));
   std::vector<GridEpisode> episodes(last - first);
-  for (const TaskEpisode& done : gatherFromRanks(options.communicator, own)) episodes[done.task - first] = done.episode;
+  parallelFor(static_cast<int>(batches.size()), threads, [&](int index, int thread) {
+    const Batch& batch = batches[static_cast<std::size_t>(index)];
+    const std::size_t map = set.tasks[batch.first].map;
+    std::shared_ptr<const RangeTable>& own_ranges = ranges[static_cast<std::size_t>(thread)];
+    own_ranges = tables.take(map);
+    for (std::size_t i = batch.last; i-- > batch.first;) {
+      const GridTask& task = set.tasks[i];
+      const std::unique_ptr<GridAgent> agent = make_agent(set.maps[map]);
+      GridEpisode& episode = episodes[i - first];
+      episode = runGridEpisode(set.maps[map], *own_ranges, task.start, task.goal, options.rules, agent.get());
+      episode.optimal_length = task.optimal_length;
+      // The last tasks are run first.
+      if (thread == 0 && options.progress) {
+        options.progress(static_cast<double>(last - i) / static_cast<double>(last - first));
+      }
+    }
+  });
   return episodes;
 }
 

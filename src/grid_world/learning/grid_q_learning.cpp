@@ -4,11 +4,11 @@
 #include <utility>
 
 #include "grid_world/learning/grid_q_learning_tile.hpp"
+#include "lstm_planner/common/parallel_for.hpp"
 #include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/common/parameter_visitors.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
-#include "lstm_planner/training/tile_exchange.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -22,8 +22,7 @@ class GridQLearningOnMaps final : public GridQLearning {
       : parameters_(parameters),
         maps_(std::move(maps)),
         layers_(std::move(layers)),
-        learner_(parameters, parameters.updates, layers_),
-        exchange_(parameters.communicator, parameters.threads) {}
+        learner_(parameters, parameters.updates, layers_) {}
 
   int epoch() const override { return epoch_; }
   double progress() const override { return learner_.progress(); }
@@ -90,20 +89,18 @@ class GridQLearningOnMaps final : public GridQLearning {
     const auto work = [&](int tile, int /*thread*/) {
       return tiles_[static_cast<std::size_t>(tile)].run(learner_.weights(), learner_.targetWeights(), epsilon);
     };
-    const QSums sums = exchange_.run(count, QSums(), work);
-    const Eigen::VectorXf gradient = exchange_.sumOf(
-        count, learner_.weights().size(),
-        [&](int tile) -> const Eigen::VectorXf& { return tiles_[static_cast<std::size_t>(tile)].gradient(); });
+    const QSums sums = parallelSum(count, parameters_.threads, QSums(), work);
+    Eigen::VectorXf gradient = Eigen::VectorXf::Zero(learner_.weights().size());
+    for (const QTile& tile : tiles_) gradient += tile.gradient();
     learner_.update(gradient / static_cast<float>(sums.steps));
     learner_.finishUpdate(sums.steps);
-    addTo(&sums_, sums);
+    sums_ += sums;
   }
 
   const GridQLearningParameters parameters_;
   std::vector<GridCourse::Set> maps_;
   mutable LayerStack layers_;  ///< get their weights when they are asked for
   QLearner learner_;
-  TileExchange exchange_;
   std::optional<GridCourse> course_;  ///< of the epoch that goes on
   std::vector<QTile> tiles_;          ///< of the same
   int epoch_ = 0;

@@ -47,8 +47,15 @@ GridActor::Outcome GridActor::step(int direction, int max_steps) {
   return outcome;
 }
 
-std::vector<double*> numbersOf(QSums* sums) {
-  return {&sums->steps, &sums->value, &sums->squared_error, &sums->reward, &sums->ended, &sums->arrived, &sums->ratio};
+QSums& QSums::operator+=(const QSums& other) {
+  steps += other.steps;
+  value += other.value;
+  squared_error += other.squared_error;
+  reward += other.reward;
+  ended += other.ended;
+  arrived += other.arrived;
+  ratio += other.ratio;
+  return *this;
 }
 
 QTile::QTile(const GridQLearningParameters& parameters, const LayerStack& layers, const GridCourse& course,

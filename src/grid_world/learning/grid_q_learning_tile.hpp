@@ -64,8 +64,9 @@ struct QSums {
   double ended = 0.0;    ///< episodes
   double arrived = 0.0;  ///< of these
   double ratio = 0.0;    ///< length / optimum of the episodes that arrived
+
+  QSums& operator+=(const QSums& other);
 };
-std::vector<double*> numbersOf(QSums* sums);
 
 /// Agents that go through one window after the other together: what one thread works on.
 class QTile {

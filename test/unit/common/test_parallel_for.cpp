@@ -58,5 +58,13 @@ TEST(ParallelFor, RethrowsWhatAThreadThrows) {
   EXPECT_THROW(parallelFor(kCount, kThreads, work), std::invalid_argument);
 }
 
+TEST(ParallelSum, AddsUpInTheOrderOfTheIndices) {
+  // A 1 that is added to 1e20 is lost: the sum depends on the order.
+  const std::vector<double> values = {1e20, 1.0, -1e20, 1.0, 3.0};
+  const auto work = [&](int index, int) { return values[static_cast<std::size_t>(index)]; };
+  for (const int threads : {1, 2, 9}) EXPECT_EQ(parallelSum(5, threads, 0.0, work), 4.0) << threads;
+  EXPECT_EQ(parallelSum(0, 2, 7.0, work), 7.0);
+}
+
 }  // namespace
 }  // namespace lstm_planner::test_parallel_for

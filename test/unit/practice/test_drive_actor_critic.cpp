@@ -16,7 +16,6 @@
 #include "support/case_name.hpp"
 #include "support/refusal.hpp"
 #include "unit/simulation/recorded_drives_fixtures.hpp"
-#include "unit/training/thread_ranks.hpp"
 
 namespace lstm_planner::test_drive_actor_critic {
 namespace {
@@ -96,29 +95,6 @@ TEST_P(DriveActorCriticWithViews, LearnsToGoToTheGoalInTheOpen) {
   const double before = iterate(learner.get()).reward;
   finish(learner.get());
   EXPECT_GT(learner->report().reward, before + 2.0) << "m nearer to the goal a drive";
-}
-
-TEST_P(DriveActorCriticWithViews, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
-  struct Outcome {
-    Eigen::VectorXf weights;
-    std::vector<double> reported;
-  };
-  const auto learnOn = [](Communicator* communicator) {
-    DriveActorCriticParameters parameters = withExamples(GetParam());
-    parameters.communicator = communicator;
-    const auto learner = newLearner(parameters);
-    learner->step();
-    const ReinforcementReport report = iterate(learner.get());
-    return Outcome{parameterVector(learner->layers()),
-                   {report.steps, report.reward, report.arrival, report.entropy, report.explained}};
-  };
-  const Outcome one = learnOn(oneProcess());
-  for (const int ranks : {2, 3}) {  // 3: more ranks than there are worlds
-    for (const Outcome& outcome : onRanks(ranks, learnOn)) {
-      EXPECT_EQ(outcome.weights, one.weights) << ranks << " ranks";
-      EXPECT_EQ(outcome.reported, one.reported) << ranks << " ranks";
-    }
-  }
 }
 
 TEST_P(DriveActorCriticWithViews, GivesTheSameWeightsForAnyNumberOfThreads) {

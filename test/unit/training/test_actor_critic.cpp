@@ -8,7 +8,6 @@
 #include "lstm_planner/training/actor_critic.hpp"
 #include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/q_learner.hpp"
-#include "lstm_planner/training/tile_exchange.hpp"
 #include "support/refusal.hpp"
 
 namespace lstm_planner::test_actor_critic {
@@ -81,7 +80,7 @@ TEST(CriticSums, SumsOfPartsAreThoseOfTheWhole) {
   CriticSums whole(2), first(2), second(2);
   for (CriticSums* sums : {&whole, &first}) sums->count(0, 1.0, 2.0);
   for (CriticSums* sums : {&whole, &second}) sums->count(1, -1.0, 4.0);
-  addTo(&first, second);
+  first += second;
   EXPECT_EQ(first.steps, whole.steps);
   EXPECT_DOUBLE_EQ(first.explained(), whole.explained());
   EXPECT_EQ(first.set_steps, whole.set_steps);

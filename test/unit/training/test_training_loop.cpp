@@ -286,18 +286,6 @@ TEST_F(TrainingLoop, WritesCheckpointsBetweenJudgementsWhenTimeHasPassed) {
   EXPECT_EQ(stepsInCheckpoint(), 2);
 }
 
-TEST_F(TrainingLoop, OnlyTheFirstRankWritesFiles) {
-  class SecondRank : public Communicator {
-    int rank() const override { return 1; }
-  } second;
-  options_.communicator = &second;
-  Toy training;
-  Host host(training, in("model"));
-  EXPECT_EQ(runTraining(options_, &training, &host).best, 1.0) << "all ranks know";
-  EXPECT_TRUE(host.kept_at_.empty());
-  EXPECT_FALSE(std::filesystem::exists(options_.checkpoint));
-}
-
 TEST_F(TrainingLoop, RefusesProgressThatIsNone) {
   Toy training;
   std::ofstream(in("model")) << "there";

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/common/communicator.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_episode.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_tasks.hpp"
 
@@ -22,13 +21,11 @@ using GridAgentMaker = std::function<std::unique_ptr<GridAgent>(const PassableGr
 struct GridEvaluationOptions {
   GridEpisodeRules rules;
   int threads = 2;
-  Communicator* communicator = oneProcess();  ///< ranks that share the tasks; each gets all episodes
-  std::function<void(double)> progress;       ///< told the share done, from the calling thread; may be empty
+  std::function<void(double)> progress;  ///< told the share done, from the calling thread; may be empty
 };
 
 /// Runs the tasks [first, last) of a set, each with an agent of its own, and returns their episodes in this order.
-/// Except for the times, they depend neither on the number of threads and ranks nor on how the tasks are split into
-/// ranges.
+/// Except for the times, they depend neither on the number of threads nor on how the tasks are split into ranges.
 std::vector<GridEpisode> evaluateGridTasks(const GridTaskSet& set, std::size_t first, std::size_t last,
                                            const GridAgentMaker& make_agent, const GridEvaluationOptions& options);
 

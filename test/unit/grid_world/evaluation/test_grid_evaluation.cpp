@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -11,7 +10,6 @@
 #include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 #include "unit/grid_world/evaluation/grid_fixtures.hpp"
-#include "unit/training/thread_ranks.hpp"
 
 namespace lstm_planner::test_grid_evaluation {
 namespace {
@@ -108,38 +106,6 @@ TEST(GridEvaluation, CanBeSplitIntoRangesOfTasks) {
     parts.insert(parts.end(), part.begin(), part.end());
   }
   EXPECT_EQ(results(whole), results(parts));
-}
-
-TEST(GridEvaluation, DoesNotDependOnTheNumberOfRanksAndAllOfThemKnowTheResult) {
-  const GridTaskSet set = randomSet(3, 25);
-  const std::vector<double> one = results(evaluate(set, makerOf("astar"), 1));
-  for (const int ranks : {2, 3, 100}) {  // 100: more ranks than there are tasks
-    const auto shared = onRanks(ranks, [&](Communicator* communicator) {
-      GridEvaluationOptions options;
-      options.threads = 1;
-      options.communicator = communicator;
-      return results(evaluateGridTasks(set, 0, set.tasks.size(), makerOf("astar"), options));
-    });
-    for (const std::vector<double>& result : shared) EXPECT_EQ(result, one) << ranks << " ranks";
-  }
-}
-
-TEST(GridEvaluation, TheRanksTogetherRunEachTaskOnce) {
-  const GridTaskSet set = randomSet(3, 40);
-  const std::vector<int> agents = onRanks(3, [&](Communicator* communicator) {
-    GridEvaluationOptions options;
-    options.threads = 1;
-    options.communicator = communicator;
-    int made = 0;
-    const GridAgentMaker a_star = makerOf("astar");
-    const auto counting = [&](const PassableGrid& grid) {
-      ++made;
-      return a_star(grid);
-    };
-    evaluateGridTasks(set, 0, set.tasks.size(), counting, options);
-    return made;
-  });
-  EXPECT_EQ(std::accumulate(agents.begin(), agents.end(), 0), 120);
 }
 
 TEST(GridEvaluation, TellsTheShareDoneUpToTheWhole) {

@@ -14,7 +14,6 @@
 #include "support/refusal.hpp"
 #include "unit/grid_world/evaluation/grid_fixtures.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
-#include "unit/training/thread_ranks.hpp"
 
 namespace lstm_planner::test_grid_q_learning {
 namespace {
@@ -139,11 +138,10 @@ std::unique_ptr<GridQLearning> learningInMaze(const GridQLearningParameters& par
   return makeGridQLearning(parameters, only(gridFrom(kSmallMaze)), smallNetwork());
 }
 
-Eigen::VectorXf weightsAfterSomeUpdates(int threads, Communicator* communicator = oneProcess()) {
+Eigen::VectorXf weightsAfterSomeUpdates(int threads) {
   GridQLearningParameters parameters = smallParameters();
   parameters.agents = 3 * QTile::kActors;
   parameters.threads = threads;
-  parameters.communicator = communicator;
   parameters.target_interval = 2;
   const auto learning = learningInMaze(parameters);
   for (int update = 0; update < 5; ++update) learning->step();
@@ -154,12 +152,6 @@ TEST(GridQLearning, LearnsTheSameWithAnyNumberOfThreads) {
   const Eigen::VectorXf alone = weightsAfterSomeUpdates(1);
   EXPECT_NE(alone, parameterVector(smallNetwork()));
   EXPECT_EQ(alone, weightsAfterSomeUpdates(3));
-}
-
-TEST(GridQLearning, LearnsTheSameOnAnyNumberOfRanks) {
-  const auto learn = [](Communicator* ranks) { return weightsAfterSomeUpdates(1, ranks); };
-  const Eigen::VectorXf alone = weightsAfterSomeUpdates(1);
-  for (const Eigen::VectorXf& weights : onRanks(3, learn)) EXPECT_EQ(weights, alone);
 }
 
 TEST(GridQLearning, IsJudgedAndCanGoOnBetweenEpochs) {
