@@ -4,6 +4,7 @@
 #include <ros/package.h>
 
 #include <cmath>
+#include <deque>
 #include <functional>
 #include <limits>
 #include <pluginlib/class_loader.hpp>
@@ -288,6 +289,25 @@ TEST_F(ControllerTest, SaysThatTheRobotDoesNotDoWhatItIsTold) {
     steer();
     return listener.latched().message == "it drives";
   })) << listener.latched().message;
+}
+
+/// Behind a velocity smoother that takes 0.7 s.
+TEST_F(ControllerTest, SaysThatTheBaseTurnsLaterThanItIsToldTo) {
+  constexpr double kStep = 0.05;  // s
+  std::deque<double> on_their_way(14, 0.0);
+  double turning = 0.0;
+  robot_.alter_odometry = [&](nav_msgs::Odometry* odometry) { odometry->twist.twist.angular.z = turning; };
+  Pose2 pose = robot_.pose();
+  for (int i = 0; i < 800 && log_.count("the robot turns ") == 0; ++i) {
+    robot_.moveTo(pose, kStep);
+    controller_->setPlan(straightPlan("odom", {pose.x, pose.y, M_PI_2}, 3.0));
+    ASSERT_TRUE(eventually([&] { return controller_->computeVelocityCommands(velocity_); }));
+    on_their_way.push_back(velocity_.angular.z);
+    turning = on_their_way.front();
+    on_their_way.pop_front();
+    pose.yaw = normalizeAngle(pose.yaw + turning * kStep);
+  }
+  EXPECT_EQ(log_.count("the robot turns 0.7"), 1);
 }
 
 TEST_F(ControllerTest, YieldsToAPersonWhereScansHaveNoStamps) {
