@@ -9,9 +9,9 @@ namespace lstm_planner {
 /// velocity smoother, a mux or a slow link. A robot whose heading changes later than its controller expects turns to
 /// and fro, and stops later.
 ///
-/// The delay is where commanded and measured turning speed of the last seconds agree best (largest correlation). Where
-/// they agree at no delay the robot is held, or somebody else drives it; in a long even turn they agree at every delay.
-/// Neither says anything about the base.
+/// The delay is the shift at which commanded and measured turning speed of the last seconds agree best (largest
+/// correlation). If they do not agree at any shift, the robot is held, or somebody else drives it. If they agree at
+/// every shift, it is in a long even turn. Both say nothing about the base.
 class ReactionWatch {
  public:
   /// The turning speed (rad/s) that was measured last, and that is now commanded for `period` s. `expected`: s, from
