@@ -123,7 +123,7 @@ TEST_F(PlannerTest, InMoveBaseFlexAGoalIsNewOnce) {
     EXPECT_EQ(step(), "1");
     moveTo(planner.get(), {0.5, 0.0, 0.0}, 0.9);
     EXPECT_EQ(step(), "2");
-    moveTo(planner.get(), {0.5, 0.0, 0.0}, 1.1);
+    moveTo(planner.get(), {0.6, 0.0, 0.0}, 1.1);
     EXPECT_EQ(step(), "1") << "sent again";
   }
 }
