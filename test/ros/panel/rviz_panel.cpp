@@ -175,7 +175,9 @@ TEST_F(RvizPanel, RefusesANameThatRosDoesNotTake) {
 TEST_F(RvizPanel, ItsButtonsCallTheRecorder) {
   initialize();
   // The test before had services of the same names, which may still be on their way out.
-  ASSERT_TRUE(ros::service::waitForService("/dataset_recorder/pause", ros::Duration(10.0)));
+  for (const char* service : {"/dataset_recorder/pause", "/dataset_recorder/finish"}) {
+    ASSERT_TRUE(ros::service::waitForService(service, ros::Duration(10.0)));
+  }
   click("pause");
   expectText("said", "paused with 7 steps");
   EXPECT_TRUE(eventually([&] { return button("pause")->text() == "Record"; }));
