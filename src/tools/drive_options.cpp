@@ -62,8 +62,7 @@ void addRobotOptions(DriveOptions* options, CommandLine* line) {
   visitAgentParameters(agent, onlyNamed({"detour/allowance", "detour/share"}, line->everyParameter()));
   line->addFlag("knows-map", &options->knows_map, true,
                 "the robot knows all obstacles of --map or --worlds from the start, as far as 50 m; only without "
-                "--drift, --slip and "
-                "--wheel-error");
+                "--drift, --slip and --wheel-error");
   line->addFlag("no-drift-correction", &agent.correct_drift, false,
                 "take the odometry as it is: do not match scans to take its drift away");
   line->addFlag("no-memory", &agent.memory.enabled, false,
