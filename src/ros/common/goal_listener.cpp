@@ -17,9 +17,9 @@ GoalListener::GoalListener(ros::NodeHandle node_handle, ros::NodeHandle private_
 
 void GoalListener::onGoal(const geometry_msgs::PoseStamped::ConstPtr& goal) {
   try {
-    goalFromMessage(*goal);
+    const AnnouncedGoal announced{goalFromMessage(*goal), goal->header.stamp};
     const std::lock_guard<std::mutex> lock(mutex_);
-    announcement_ = *goal;
+    announcement_ = announced;
   } catch (const std::invalid_argument& error) {
     ROS_WARN_THROTTLE(2.0, "an announced goal is not used: %s", error.what());
   }
@@ -35,7 +35,7 @@ bool GoalListener::takeSuccess() {
   return std::exchange(has_succeeded_, false);
 }
 
-std::optional<geometry_msgs::PoseStamped> GoalListener::takeAnnouncement() {
+std::optional<AnnouncedGoal> GoalListener::takeAnnouncement() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return std::exchange(announcement_, std::nullopt);
 }

@@ -4,6 +4,7 @@
 #include <move_base_msgs/MoveBaseActionResult.h>
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
+#include <ros/time.h>
 
 #include <mutex>
 #include <optional>
@@ -11,6 +12,12 @@
 #include "lstm_planner/drive/decision/goal_tracker.hpp"
 
 namespace lstm_planner {
+
+/// A goal as it was given, and at which time (ros::Time) it is where it says.
+struct AnnouncedGoal {
+  GoalInFrame goal;
+  ros::Time stamp;
+};
 
 /// Hears the goals that the executor accepts, and that it reports as reached: move_base publishes each on
 /// ~current_goal, and how it ended on move_base/result. move_base_flex publishes it before each plan, on ~current_goal
@@ -21,7 +28,7 @@ class GoalListener {
   GoalListener(ros::NodeHandle node_handle, ros::NodeHandle private_node_handle);
 
   /// The newest announcement since the last call, if there was any.
-  std::optional<geometry_msgs::PoseStamped> takeAnnouncement();
+  std::optional<AnnouncedGoal> takeAnnouncement();
   /// Whether a goal was reported as reached since the last call.
   bool takeSuccess();
 
@@ -30,7 +37,7 @@ class GoalListener {
   void onResult(const move_base_msgs::MoveBaseActionResult::ConstPtr& result);
 
   std::mutex mutex_;
-  std::optional<geometry_msgs::PoseStamped> announcement_;
+  std::optional<AnnouncedGoal> announcement_;
   bool has_succeeded_ = false;
   ros::Subscriber goal_subscriber_;
   ros::Subscriber planner_goal_subscriber_;

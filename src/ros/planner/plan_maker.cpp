@@ -217,11 +217,11 @@ void PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {
 
 /// As it will be asked for: move_base_flex announces a goal as it was given, and since 0.4.0 asks for it in the frame
 /// of the costmap.
-GoalInFrame PlanMaker::announcedIn(const std::string& frame, const geometry_msgs::PoseStamped& message) const {
-  const GoalInFrame goal = goalFromMessage(message);
+GoalInFrame PlanMaker::announcedIn(const std::string& frame, const AnnouncedGoal& announced) const {
+  const GoalInFrame& goal = announced.goal;
   if (frame != global_frame_) return goal;
   try {
-    return {frame, compose(frames_.transformAt(frame, goal.frame, message.header.stamp, now_), goal.pose)};
+    return {frame, compose(frames_.transformAt(frame, goal.frame, announced.stamp, now_), goal.pose)};
   } catch (const FrameError&) {
     return goal;
   }

@@ -83,7 +83,7 @@ class PlanMaker {
   void perceive(const SensorReading& reading);
   void warnOfReturnsInside() const;
   void ask(const GoalInFrame& goal, Pose2* goal_in_global_frame);
-  GoalInFrame announcedIn(const std::string& frame, const geometry_msgs::PoseStamped& message) const;
+  GoalInFrame announcedIn(const std::string& frame, const AnnouncedGoal& announced) const;
   bool isDriftCorrected(const SensorReading& reading) const;
   const Decision& drive(const Pose2& goal, bool is_new);
   const Decision& preview(const Pose2& goal);
