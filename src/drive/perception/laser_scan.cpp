@@ -49,6 +49,12 @@ long RangeProfile::beamTowards(double towards) const {
   return kFullTurn - turn < step ? 0 : (turn / step < static_cast<double>(count) ? count - 1 : -1);
 }
 
+long RangeProfile::beamAt(long counted) const {
+  const long count = static_cast<long>(ranges.size());
+  if (counted >= 0 && counted < count) return counted;
+  return count > 0 && closes() ? (counted % count + count) % count : -1;
+}
+
 bool RangeProfile::isInView(double towards) const {
   if (ranges.empty() || increment == 0.0) return false;
   const double step = std::abs(increment);

@@ -111,14 +111,13 @@ MovingReturns::Sight MovingReturns::sightOf(const Point2& point, const View& vie
   const long half = std::lround(beams_aside);
   const long first = center - half;
   const long last = center + half;
-  const long beams = static_cast<long>(profile.ranges.size());
-  if ((first < 0 || last >= beams) && !profile.closes()) {
+  if (profile.beamAt(first) < 0 || profile.beamAt(last) < 0) {
     return Sight::kUnknown;
   }
   long known = 0;
   double nearest = profile.farthest_range;
   for (long beam = first; beam <= last; ++beam) {
-    const double range = profile.ranges[static_cast<std::size_t>((beam + beams) % beams)];
+    const double range = profile.ranges[static_cast<std::size_t>(profile.beamAt(beam))];
     if (range > 0.0) {
       ++known;
       nearest = std::min(nearest, range);

@@ -14,9 +14,10 @@ bool isSeenFree(const RangeProfile& profile, const Point2& place) {
   const double distance = distanceBetween(profile.origin, place) + kAirBehind;
   const long beam = profile.beamTowards(directionTo(profile.origin, place));
   if (beam < 0 || distance > profile.farthest_range) return false;
-  const long last = static_cast<long>(profile.ranges.size()) - 1;
   bool is_measured = false;
-  for (long i = std::max(0L, beam - 1); i <= std::min(last, beam + 1); ++i) {
+  for (long counted = beam - 1; counted <= beam + 1; ++counted) {
+    const long i = profile.beamAt(counted);
+    if (i < 0) continue;
     const double range = profile.ranges[static_cast<std::size_t>(i)];
     if (range == RangeProfile::kSilent || range == 0.0) continue;
     if (range < distance) return false;

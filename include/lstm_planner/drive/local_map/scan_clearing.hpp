@@ -15,14 +15,15 @@ class ScanClearing {
   /// Replaces the scan.
   void show(const RangeProfile& profile, double yaw) {
     finder_ = BeamFinder(profile, yaw);
-    const auto beams = static_cast<std::ptrdiff_t>(profile.ranges.size());
     limits_.resize(profile.ranges.size());
-    for (std::ptrdiff_t beam = 0; beam < beams; ++beam) {
-      const auto first = profile.ranges.begin() + std::max<std::ptrdiff_t>(0, beam - kBeside);
-      const auto last = profile.ranges.begin() + std::min(beams, beam + kBeside + 1);
-      const float nearest = std::min(*std::min_element(first, last), profile.farthestRange());
+    for (std::size_t beam = 0; beam < limits_.size(); ++beam) {
+      float nearest = profile.farthestRange();
+      for (long aside = -kBeside; aside <= kBeside; ++aside) {
+        const long beside = profile.beamAt(static_cast<long>(beam) + aside);
+        if (beside >= 0) nearest = std::min(nearest, profile.ranges[static_cast<std::size_t>(beside)]);
+      }
       const float before = std::max(nearest - kBehindObstacle, 0.0f);
-      limits_[static_cast<std::size_t>(beam)] = before * before;
+      limits_[beam] = before * before;
     }
   }
 
@@ -37,7 +38,7 @@ class ScanClearing {
  private:
   /// Noise, and beams that graze a wall, must not make it seem cleared.
   static constexpr float kBehindObstacle = 0.1f;
-  static constexpr std::ptrdiff_t kBeside = 2;
+  static constexpr long kBeside = 2;
 
   BeamFinder finder_;
   std::vector<float> limits_;  ///< m^2; a beam each: farther places are not cleared

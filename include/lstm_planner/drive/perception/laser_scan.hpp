@@ -56,6 +56,9 @@ struct RangeProfile {
   long beamTowards(double direction) const;
   /// Whether the last beam is beside the first one.
   bool closes() const { return (static_cast<double>(ranges.size()) + 0.5) * std::abs(increment) > kFullTurn; }
+  /// Index of a beam that was counted from another one, maybe beyond the ends: where the scan closes it goes on there.
+  /// -1 when there is none.
+  long beamAt(long counted) const;
   /// Whether `direction` (rad, base frame) lies between the first and the last beam. All do if the scan closes.
   bool isInView(double direction) const;
 

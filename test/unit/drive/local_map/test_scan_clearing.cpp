@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <random>
 
 #include "lstm_planner/drive/local_map/scan_clearing.hpp"
@@ -28,9 +29,12 @@ RangeProfile scanOf(double increment, std::size_t beams, std::mt19937* random) {
 double plainReach(const RangeProfile& profile, double towards) {
   const long beam = profile.beamTowards(towards);
   if (beam < 0) return -1.0;
+  const long beams = static_cast<long>(profile.ranges.size());
+  const bool goes_round = beams == 720;
   double nearest = 1e9;
-  for (long i = std::max(0L, beam - 2); i <= beam + 2; ++i) {
-    if (i < static_cast<long>(profile.ranges.size())) {
+  for (long i = 0; i < beams; ++i) {
+    const long apart = std::abs(i - beam);
+    if (apart <= 2 || (goes_round && apart >= beams - 2)) {
       nearest = std::min<double>(nearest, profile.ranges[static_cast<std::size_t>(i)]);
     }
   }
@@ -44,7 +48,8 @@ TEST(ScanClearing, ClearsWhatThePlainDefinitionClears) {
   constexpr double kCorner = -12.01;  // no square is just where the scanner is: it has no direction
   std::mt19937 random(5);
   for (const double increment : {0.00436332, -0.00436332, 2.0 * M_PI / 720.0}) {
-    const RangeProfile profile = scanOf(increment, increment < 0.006 ? 1081 : 720, &random);
+    RangeProfile profile = scanOf(increment, increment < 0.006 ? 1081 : 720, &random);
+    profile.ranges.back() = 0.7f;  // beside the first beam, where the scan goes all around
     ScanClearing clearing;
     clearing.show(profile, kYaw);
     int cleared = 0;

@@ -42,6 +42,13 @@ TEST(SeenFree, OneBeamThatIsLostBetweenTwoThatSeeDoesNotMatter) {
   EXPECT_FALSE(isSeenFree(situation, {0.0, 1.0})) << "something is beside it";
 }
 
+TEST(SeenFree, TheLastBeamIsBesideTheFirst) {
+  Situation situation = seeing(2.0f);
+  ASSERT_TRUE(isSeenFree(situation, {-1.0, 0.0}));
+  situation.profile.ranges.back() = 0.5f;
+  EXPECT_FALSE(isSeenFree(situation, {-1.0, 0.0})) << "straight behind, where the scan begins";
+}
+
 TEST(SeenFree, ARobotMayBackToWhatStandsBehindLessItsRadiusAndTheMargin) {
   EXPECT_DOUBLE_EQ(behind(seeing(kInf)), 3.0);
   // 5 cm of air, and places 5 cm apart.
