@@ -13,7 +13,8 @@ namespace lstm_planner {
 GoalListener::GoalListener(ros::NodeHandle node_handle, ros::NodeHandle private_node_handle)
     : goal_subscriber_(private_node_handle.subscribe("current_goal", 1, &GoalListener::onGoal, this)),
       planner_goal_subscriber_(private_node_handle.subscribe("planner_goal", 1, &GoalListener::onGoal, this)),
-      result_subscriber_(node_handle.subscribe("move_base/result", 1, &GoalListener::onResult, this)) {}
+      end_subscriber_(node_handle.subscribe("move_base/result", 1, &GoalListener::onEnd, this)),
+      path_end_subscriber_(private_node_handle.subscribe("exe_path/result", 1, &GoalListener::onEnd, this)) {}
 
 void GoalListener::onGoal(const geometry_msgs::PoseStamped::ConstPtr& goal) {
   try {
@@ -25,9 +26,9 @@ void GoalListener::onGoal(const geometry_msgs::PoseStamped::ConstPtr& goal) {
   }
 }
 
-void GoalListener::onResult(const move_base_msgs::MoveBaseActionResult::ConstPtr& result) {
+void GoalListener::onEnd(const boost::shared_ptr<ActionEnd const>& end) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  has_succeeded_ = has_succeeded_ || result->status.status == actionlib_msgs::GoalStatus::SUCCEEDED;
+  has_succeeded_ = has_succeeded_ || end->status.status == actionlib_msgs::GoalStatus::SUCCEEDED;
 }
 
 bool GoalListener::takeSuccess() {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <geometry_msgs/PoseStamped.h>
-#include <move_base_msgs/MoveBaseActionResult.h>
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
 #include <ros/time.h>
@@ -10,6 +9,7 @@
 #include <optional>
 
 #include "lstm_planner/drive/decision/goal_tracker.hpp"
+#include "ros/common/action_end.hpp"
 
 namespace lstm_planner {
 
@@ -21,7 +21,7 @@ struct AnnouncedGoal {
 
 /// Hears the goals that the executor accepts, and that it reports as reached: move_base publishes each on
 /// ~current_goal, and how it ended on move_base/result. move_base_flex publishes it before each plan, on ~current_goal
-/// or, since 2024, on ~planner_goal. Thread safe.
+/// or, since 2024, on ~planner_goal, and how it ended on ~exe_path/result. Thread safe.
 class GoalListener {
  public:
   /// `node_handle`, `private_node_handle`: of the executor, in the thread that the messages come in.
@@ -34,14 +34,15 @@ class GoalListener {
 
  private:
   void onGoal(const geometry_msgs::PoseStamped::ConstPtr& goal);
-  void onResult(const move_base_msgs::MoveBaseActionResult::ConstPtr& result);
+  void onEnd(const boost::shared_ptr<ActionEnd const>& end);
 
   std::mutex mutex_;
   std::optional<AnnouncedGoal> announcement_;
   bool has_succeeded_ = false;
   ros::Subscriber goal_subscriber_;
   ros::Subscriber planner_goal_subscriber_;
-  ros::Subscriber result_subscriber_;
+  ros::Subscriber end_subscriber_;
+  ros::Subscriber path_end_subscriber_;
 };
 
 /// Checks a goal and reads it. A zero quaternion is taken as heading 0, with a warning. Throws std::invalid_argument
