@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/common/segment.hpp"
+#include "lstm_planner/common/text_table.hpp"
 
 namespace lstm_planner {
 
@@ -22,7 +23,7 @@ std::vector<Point2> hullOf(const std::vector<Point2>& points) {
   std::vector<cv::Point2f> all;
   for (const Point2& point : points) {
     if (!(std::hypot(point.x, point.y) <= kFarthest)) {
-      throw std::invalid_argument("a corner is at (" + std::to_string(point.x) + ", " + std::to_string(point.y) +
+      throw std::invalid_argument("a corner is at (" + numberText(point.x) + ", " + numberText(point.y) +
                                   "), expected one within 100 m of the robot's middle");
     }
     all.emplace_back(static_cast<float>(point.x), static_cast<float>(point.y));
@@ -46,7 +47,7 @@ std::vector<Point2> hullOf(const std::vector<Point2>& points) {
 
 Footprint::Footprint(double radius) : inscribed_(radius), circumscribed_(radius), passing_(radius) {
   if (!(radius > 0.0) || !std::isfinite(radius)) {
-    throw std::invalid_argument("the footprint's radius is " + std::to_string(radius) + ", expected a positive number");
+    throw std::invalid_argument("the footprint's radius is " + numberText(radius) + ", expected a positive number");
   }
 }
 

@@ -14,6 +14,12 @@ std::string fixedText(double number, int decimals) {
   return text.str();
 }
 
+std::string numberText(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
 std::string percentText(double share, int decimals) { return fixedText(100.0 * share, decimals) + " %"; }
 
 std::string leftText(const std::string& text, std::size_t width) {

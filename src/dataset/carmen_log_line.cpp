@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "lstm_planner/common/text_table.hpp"
+
 namespace lstm_planner {
 
 namespace {
@@ -29,7 +31,7 @@ class Words {
   int count(const char* what, int least) {
     const double value = number(what);
     if (value != std::floor(value) || value < least || value > kMostReadings) {
-      throw std::invalid_argument(std::string("has ") + what + " of " + std::to_string(value) + ", expected " +
+      throw std::invalid_argument(std::string("has ") + what + " of " + numberText(value) + ", expected " +
                                   std::to_string(least) + " to " + std::to_string(kMostReadings));
     }
     return static_cast<int>(value);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "lstm_planner/common/random.hpp"
+#include "lstm_planner/common/text_table.hpp"
 
 namespace lstm_planner {
 
@@ -126,7 +127,7 @@ Dataset mergeDatasets(const std::vector<std::string>& paths) {
 
 DatasetSplit splitDataset(const Dataset& dataset, double share, std::uint64_t seed) {
   if (!(share > 0.0 && share < 1.0)) {
-    throw std::invalid_argument("the share of the validation set is " + std::to_string(share) +
+    throw std::invalid_argument("the share of the validation set is " + numberText(share) +
                                 ", expected more than 0 and less than 1");
   }
   const std::vector<EpisodeIndex> chosen = drawValidationEpisodes(dataset, share, seed);

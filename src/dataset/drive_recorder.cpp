@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/drive/perception/reach.hpp"
 
 namespace lstm_planner {
@@ -51,8 +52,7 @@ void DriveRecorder::add(DriveEvent event) {
     workOnWhatIsDue(true);
     endEpisode(EpisodeEnd::kTimeJump);
     for (std::size_t i = 0; i < waiting_.size(); ++i) {
-      reject(Rejection::kNoOdometry, "the stamps jump from " + std::to_string(newest_) + " s to " +
-                                         std::to_string(stamp) +
+      reject(Rejection::kNoOdometry, "the stamps jump from " + fixedText(newest_, 3) + " s to " + fixedText(stamp, 3) +
                                          " s: scanner and odometry have different clocks, the clock was set, or "
                                          "nothing was heard in between");
     }
@@ -64,9 +64,9 @@ void DriveRecorder::add(DriveEvent event) {
     verdict = order_.add(std::move(event));
   }
   if (verdict == EventOrder::Verdict::kLate) {
-    reject(Rejection::kLate, "a message comes " + std::to_string(newest_ - stamp) +
-                                 " s after others with later stamps, expected at most delay = " +
-                                 std::to_string(parameters_.delay) + " s");
+    reject(Rejection::kLate,
+           "a message comes " + fixedText(newest_ - stamp, 3) +
+               " s after others with later stamps, expected at most delay = " + numberText(parameters_.delay) + " s");
   }
   newest_ = std::max(newest_, stamp);
   workOnWhatIsDue(false);
@@ -119,8 +119,8 @@ void DriveRecorder::work(const OdometryHeard& odometry) {
   scans.swap(waiting_);
   for (const ScanHeard& scan : scans) {
     if (elapsed > kLongestInterpolation) {
-      reject(Rejection::kNoOdometry, "from one odometry message to the next it takes " + std::to_string(elapsed) +
-                                         " s, expected at most " + std::to_string(kLongestInterpolation) + " s");
+      reject(Rejection::kNoOdometry, "from one odometry message to the next it takes " + fixedText(elapsed, 3) +
+                                         " s, expected at most " + numberText(kLongestInterpolation) + " s");
     } else if (has_jumped) {
       reject(Rejection::kNoOdometry, "the odometry jumps from one message to the next, and the scan lies between them");
     } else if (scan.stamp < before) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/drive/perception/odometry_history.hpp"
 
 namespace lstm_planner {
@@ -141,7 +142,7 @@ class GoalFinder {
 void validate(const HindsightParameters& parameters) {
   visitHindsightParameters(parameters, RangeCheck());
   checkParameter(parameters.longest >= parameters.shortest, "longest", parameters.longest,
-                 "at least shortest = " + std::to_string(parameters.shortest));
+                 "at least shortest = " + numberText(parameters.shortest));
 }
 
 std::vector<DriveEvent> hindsightGoals(const std::vector<OdometryHeard>& messages,
@@ -149,7 +150,7 @@ std::vector<DriveEvent> hindsightGoals(const std::vector<OdometryHeard>& message
                                        const std::string& frame) {
   validate(parameters);
   checkParameter(parameters.shortest > recorder.goal_tolerance, "shortest", parameters.shortest,
-                 "more than the goal tolerance of " + std::to_string(recorder.goal_tolerance));
+                 "more than the goal tolerance of " + numberText(recorder.goal_tolerance));
   const std::vector<OdometryHeard> path = thinned(messages);
   std::vector<DriveEvent> goals;
   GoalFinder finder(path, parameters, recorder, frame, &goals);

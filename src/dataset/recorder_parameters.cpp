@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/drive/decision/action_set.hpp"
 
 namespace lstm_planner {
@@ -26,9 +27,9 @@ std::string storedName(std::string name) {
 void validate(const RecorderParameters& parameters) {
   visitRecorderParameters(parameters, RangeCheck());
   checkParameter(parameters.max_gap > parameters.period, "max_gap", parameters.max_gap,
-                 "more than period = " + std::to_string(parameters.period));
+                 "more than period = " + numberText(parameters.period));
   checkParameter(parameters.delay < parameters.max_gap, "delay", parameters.delay,
-                 "less than max_gap = " + std::to_string(parameters.max_gap));
+                 "less than max_gap = " + numberText(parameters.max_gap));
   validate(parameters.scan_rules);
   const ActionSet actions(parameters.action_angles);
   validate(parameters.agent);

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "lstm_planner/common/text_table.hpp"
+
 namespace lstm_planner {
 namespace {
 
@@ -26,7 +28,7 @@ OccupancyGrid::OccupancyGrid(int columns, int rows, double resolution, Pose2 ori
                                 " cells, expected positive sizes and at most 2^28 cells");
   }
   if (!(resolution > 0.0) || !std::isfinite(resolution)) {
-    throw std::invalid_argument("the grid's resolution is " + std::to_string(resolution) +
+    throw std::invalid_argument("the grid's resolution is " + numberText(resolution) +
                                 " m a cell, expected a positive finite number");
   }
   if (!isFinite(origin)) throw std::invalid_argument("the grid's origin is not finite");

@@ -4,11 +4,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "lstm_planner/common/text_table.hpp"
+
 namespace lstm_planner {
 
 std::vector<Point2> surfacePoints(const OccupancyGrid& grid, double spacing) {
   if (!(spacing > 0.0)) {
-    throw std::invalid_argument("the spacing is " + std::to_string(spacing) + " m, expected a positive number");
+    throw std::invalid_argument("the spacing is " + numberText(spacing) + " m, expected a positive number");
   }
   const double side = grid.resolution();
   const int pieces = static_cast<int>(std::ceil(side / spacing));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/network/model_file.hpp"
 
 namespace lstm_planner::onnx {
@@ -92,8 +93,8 @@ void Node::requireInteger(const std::string& name, std::int64_t expected) {
 void Node::requireReal(const std::string& name, float expected) {
   const AttributeProto* attribute = find(name);
   if (attribute != nullptr && !(attribute->f() == expected)) {
-    throw ModelFileError(name_ + " has " + name + " = " + std::to_string(attribute->f()) + ", expected " +
-                         std::to_string(expected));
+    throw ModelFileError(name_ + " has " + name + " = " + numberText(attribute->f()) + ", expected " +
+                         numberText(expected));
   }
 }
 

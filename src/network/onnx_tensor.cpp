@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/network/model_file.hpp"
 #include "network/onnx_names.hpp"
 
@@ -83,7 +84,7 @@ std::vector<float> floatValues(const TensorProto& tensor) {
   std::vector<float> values = storedValues<float>(tensor, tensor.float_data(), kFloat, "float");
   for (std::size_t index = 0; index < values.size(); ++index) {
     if (!std::isfinite(values[index])) {
-      throw ModelFileError(tensorName(tensor) + " holds " + std::to_string(values[index]) + " at position " +
+      throw ModelFileError(tensorName(tensor) + " holds " + numberText(values[index]) + " at position " +
                            std::to_string(index) + ", expected finite weights");
     }
   }

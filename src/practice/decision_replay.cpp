@@ -53,7 +53,7 @@ void DecisionReplay::addStep(const DriveStep& step) {
 
 ReplayedDecision DecisionReplay::decideAbout(const DriveStep& step) {
   if (step.ranges.empty()) {
-    throw std::invalid_argument("the step at " + std::to_string(step.stamp) +
+    throw std::invalid_argument("the step at " + fixedText(step.stamp, 3) +
                                 " s has no scan, without which nothing can be decided");
   }
   if (newest_ && step.stamp < *newest_) noteJump();  // of the clock; OdometryHistory counts them, too

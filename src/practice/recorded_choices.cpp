@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/drive/decision/drive_trace.hpp"
 #include "practice/recording_comparison.hpp"
 
@@ -69,8 +70,8 @@ class RecordingReader {
       return sectors;
     }
     if (step.ranges.empty()) {
-      throw std::invalid_argument(nameOf(recording_) + " has a range cap of " + std::to_string(recorded().range_cap) +
-                                  " m, the network one of " + std::to_string(policy_.encoder.range_cap) +
+      throw std::invalid_argument(nameOf(recording_) + " has a range cap of " + numberText(recorded().range_cap) +
+                                  " m, the network one of " + numberText(policy_.encoder.range_cap) +
                                   " m, and without kept scans the ranges cannot be averaged anew");
     }
     const LaserScan scan = scanOf(step.geometry, step.ranges);

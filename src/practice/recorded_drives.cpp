@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "lstm_planner/common/parameter_check.hpp"
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/dataset/drive_recorder.hpp"
 #include "lstm_planner/simulation/standing_cells.hpp"
 
@@ -165,7 +166,7 @@ std::vector<Point2> drawWaypoints(const GridWorld& world, int count, double radi
   std::vector<CellIndex> places = connectedPlaces(world, radius, &random);
   if (count < 1 || places.size() < static_cast<std::size_t>(count)) {
     throw std::invalid_argument("the map has " + std::to_string(places.size()) +
-                                " connected places for a disc of radius " + std::to_string(radius) +
+                                " connected places for a disc of radius " + numberText(radius) +
                                 " m, expected at least " + std::to_string(count) + " (one waypoint or more)");
   }
   shuffle(&places, random);

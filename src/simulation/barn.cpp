@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/common/csv_file.hpp"
+#include "lstm_planner/common/text_table.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -21,7 +22,7 @@ constexpr double kMostReferenceTimes = 8.0;  // times the reference time
 
 int worldNumber(double value, const std::string& path) {
   if (value < 0.0 || value > 1e6 || value != std::floor(value)) {
-    throw std::invalid_argument("'" + path + "': a world has the number " + std::to_string(value) +
+    throw std::invalid_argument("'" + path + "': a world has the number " + numberText(value) +
                                 ", expected a whole number of 0 or more");
   }
   return static_cast<int>(value);

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "lstm_planner/common/text_table.hpp"
+
 namespace lstm_planner {
 namespace {
 
@@ -37,7 +39,7 @@ Point2 Crowd::drawPlace(double radius) {
     const Point2& place = places_[uniformIndex(random_, places_.size())];
     if (!surroundings()->touches(place, radius)) return place;
   }
-  throw std::invalid_argument("there is no place for a walker of radius " + std::to_string(radius) + " m");
+  throw std::invalid_argument("there is no place for a walker of radius " + numberText(radius) + " m");
 }
 
 std::vector<Circle> Crowd::advance(double seconds, const Footprint& robot, const Pose2& pose) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "lstm_planner/common/text_table.hpp"
+
 namespace lstm_planner {
 namespace {
 
@@ -224,8 +226,8 @@ CircleWorld::CircleWorld(std::vector<Circle> circles, const World* surroundings)
     : surroundings_(surroundings), circles_(std::move(circles)) {
   for (const Circle& circle : circles_) {
     if (std::isfinite(circle.center.x + circle.center.y + circle.radius) && circle.radius >= 0.0) continue;
-    throw std::invalid_argument("a circle at (" + std::to_string(circle.center.x) + ", " +
-                                std::to_string(circle.center.y) + ") has the radius " + std::to_string(circle.radius) +
+    throw std::invalid_argument("a circle at (" + numberText(circle.center.x) + ", " + numberText(circle.center.y) +
+                                ") has the radius " + numberText(circle.radius) +
                                 ", expected finite numbers and a radius of at least 0");
   }
 }

@@ -218,12 +218,12 @@ void checkBody(const std::string& path, const ShieldParameters& shield, const St
   }
   if (!shield.footprint.empty()) return;
   if (controller.footprint_radius != shield.footprint_radius) {
-    refuse("SteeringController/footprint_radius", std::to_string(controller.footprint_radius),
-           std::to_string(shield.footprint_radius));
+    refuse("SteeringController/footprint_radius", numberText(controller.footprint_radius),
+           numberText(shield.footprint_radius));
   }
   const double diameter = 2.0 * shield.footprint_radius;
   if (std::abs(simulated.base_diameter - diameter) > kSameDiameter) {
-    refuse("create2_stub/robot/base_diameter", std::to_string(simulated.base_diameter), std::to_string(diameter));
+    refuse("create2_stub/robot/base_diameter", numberText(simulated.base_diameter), numberText(diameter));
   }
 }
 

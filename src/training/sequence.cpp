@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lstm_planner/common/text_table.hpp"
+
 namespace lstm_planner {
 namespace {
 
@@ -60,7 +62,7 @@ void validateSequences(const std::vector<Sequence>& sequences, int inputs, int o
       const float weight = sequence.weights[step];
       if (!std::isfinite(weight) || weight < 0.0f) {
         refuse(name, index,
-               "has weight " + std::to_string(weight) + " at step " + std::to_string(step) +
+               "has weight " + numberText(weight) + " at step " + std::to_string(step) +
                    ", expected a finite value of at least 0");
       }
       const int label = sequence.labels[step];

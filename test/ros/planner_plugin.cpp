@@ -1,6 +1,7 @@
 // The global planner under move_base: what comes in, what comes out, start and end. The clock stands still unless a
 // test moves it.
 
+#include <actionlib/TestActionResult.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/Path.h>
 #include <ros/package.h>
@@ -85,7 +86,7 @@ TEST_F(PlannerTest, StartInAnotherFrameOrFarFromTheRobotIsRefused) {
                        [&] { stand(kLogPeriod); });
   };
   expectRefusedFrom(stampedPose("map", {}), "no plan: the start is in frame 'map', expected odom");
-  expectRefusedFrom(stampedPose("odom", {3.0, 0.0, 0.0}), "no plan: the start is 3.000000 m from the robot (/odom), ");
+  expectRefusedFrom(stampedPose("odom", {3.0, 0.0, 0.0}), "no plan: the start is 3.00 m from the robot (/odom), ");
 }
 
 TEST_F(PlannerTest, GoalFarOutsideARollingCostmapIsAccepted) {
@@ -162,8 +163,7 @@ TEST_F(PlannerTest, AScannerThatIsTooShortForTheNetworkIsLedByTheRouteAndOneLine
   EXPECT_EQ(decisions.newest().at("leader"), "route");
   moveTo(planner.get(), {0.1, 0.0, 0.0}, 2.0 * kLogPeriod);
   log_.flush();
-  EXPECT_EQ(log_.count("the scanner reaches 2.000000 m*the path through the remembered obstacles leads in its place"),
-            1);
+  EXPECT_EQ(log_.count("the scanner reaches 2 m*the path through the remembered obstacles leads in its place"), 1);
 }
 
 TEST_F(PlannerTest, AModelIsNeededOnlyToLead) {
@@ -328,7 +328,7 @@ TEST_F(PlannerTest, ModelForASmallerRobotIsUsedWithAWarning) {
   ros::param::set("~/LstmGlobalPlanner/shield/footprint_radius", 0.5);
   EXPECT_NE(makePlanner(), nullptr);
   log_.flush();
-  EXPECT_EQ(log_.count("this robot's is 0.500000 m"), 1);
+  EXPECT_EQ(log_.count("this robot's is 0.5 m"), 1);
 }
 
 TEST_F(PlannerTest, ARobotOfAnotherSizeNeedsNoOtherMemory) {
@@ -338,7 +338,7 @@ TEST_F(PlannerTest, ARobotOfAnotherSizeNeedsNoOtherMemory) {
 
 TEST_F(PlannerTest, ModelForAnotherStepIsRefused) {
   ros::param::set("~/LstmGlobalPlanner/step/length", 0.6);
-  expectUnusable("step/length is 0.600000 m");
+  expectUnusable("step/length is 0.6 m");
 }
 
 TEST_F(PlannerTest, PlansOnlyAfterInitializeAndASecondInitializeChangesNothing) {
@@ -397,6 +397,30 @@ TEST_F(PlannerTest, TellsInDiagnosticsWhoLeadsAndWithWhichModel) {
   for (const auto& value : listener.latched().values) latched.insert(value.key);
   EXPECT_EQ(latched, std::set<std::string>{"model"}) << "what is latched has no figures, which would grow old";
   EXPECT_TRUE(eventually([&] { return listener.task("LstmGlobalPlanner model").message == model_.path(); }));
+}
+
+/// The results of all actions begin alike: those of move_base_flex are heard without its messages.
+TEST_F(PlannerTest, HearsTheEndOfADriveFromMoveBaseAndFromMoveBaseFlex) {
+  for (const char* topic : {"move_base/result", "~exe_path/result"}) {
+    robot_.moveTo({}, 10.0);
+    DiagnosticsListener listener("LstmGlobalPlanner");
+    DecisionListener decisions("LstmGlobalPlanner");
+    auto planner = makePlanner();
+    const auto goal = stampedPose("odom", {1.0, 0.0, 0.0});
+    announce(goal, planner.get(), &decisions);
+    moveTo(planner.get(), {0.5, 0.0, 0.0}, 1.0);
+    decide(planner.get(), goal, &decisions);
+    const auto results = ros::NodeHandle().advertise<actionlib::TestActionResult>(ros::names::resolve(topic), 1);
+    ASSERT_TRUE(eventually([&] { return results.getNumSubscribers() > 0; })) << topic;
+    actionlib::TestActionResult result;
+    result.status.status = actionlib_msgs::GoalStatus::SUCCEEDED;
+    results.publish(result);
+    EXPECT_TRUE(eventually([&] {
+      return listener.latched().message ==
+             "nobody asks for plans: there is no goal; the last drive stopped 0.50 m from the goal";
+    })) << topic
+        << ": " << listener.latched().message;
+  }
 }
 
 TEST_F(PlannerTest, APlanThatSomebodyAsksForTellsNothingOfTheDrive) {

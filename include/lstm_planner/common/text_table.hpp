@@ -9,6 +9,9 @@ namespace lstm_planner {
 /// A number with so many decimals: "0.80".
 std::string fixedText(double number, int decimals);
 
+/// A number as people write it, with six digits at most: "0.8", "2.04", "1e+06".
+std::string numberText(double number);
+
 /// "12.3 %".
 std::string percentText(double share, int decimals = 1);
 

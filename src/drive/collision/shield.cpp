@@ -8,6 +8,7 @@
 
 #include "drive/collision/footprint_sweep.hpp"
 #include "lstm_planner/common/arc.hpp"
+#include "lstm_planner/common/text_table.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -54,8 +55,8 @@ Shield::Shield(const Footprint& footprint, double hard_margin, double reach)
       hard_margin_(hard_margin),
       reach_(reach) {
   if (!(hard_margin >= 0.0) || !(reach > footprint_radius_ + hard_margin)) {
-    throw std::invalid_argument("the footprint radius is " + std::to_string(footprint_radius_) + ", the hard margin " +
-                                std::to_string(hard_margin) + " and the reach " + std::to_string(reach) +
+    throw std::invalid_argument("the footprint radius is " + numberText(footprint_radius_) + ", the hard margin " +
+                                numberText(hard_margin) + " and the reach " + numberText(reach) +
                                 ", expected 0 < radius, 0 <= margin, radius + margin < reach");
   }
 }

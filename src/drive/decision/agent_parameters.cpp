@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/common/text_table.hpp"
 
 namespace lstm_planner {
 
@@ -64,40 +65,39 @@ void validate(const AgentParameters& parameters) {
   }
   visitAgentParameters(parameters, RangeCheck());
   checkParameter(parameters.step.stall > parameters.step.period, "step/stall", parameters.step.stall,
-                 "more than step/period = " + std::to_string(parameters.step.period));
+                 "more than step/period = " + numberText(parameters.step.period));
   const ShieldParameters& shield = parameters.shield;
   checkParameter(shield.clearance >= shield.tight_clearance, "shield/clearance", shield.clearance,
-                 "at least shield/tight_clearance = " + std::to_string(shield.tight_clearance));
+                 "at least shield/tight_clearance = " + numberText(shield.tight_clearance));
   checkParameter(shield.shortest_step <= parameters.step.length, "shield/shortest_step", shield.shortest_step,
-                 "at most step/length = " + std::to_string(parameters.step.length));
+                 "at most step/length = " + numberText(parameters.step.length));
   checkParameter(parameters.step.reached < shield.shortest_step, "step/reached", parameters.step.reached,
-                 "less than shield/shortest_step = " + std::to_string(shield.shortest_step));
+                 "less than shield/shortest_step = " + numberText(shield.shortest_step));
   const Footprint footprint = footprintOf(shield);
   checkParameter(footprint.isCircle() || std::abs(footprint.passingRadius() - shield.footprint_radius) < kSameRadius,
                  "shield/footprint_radius", shield.footprint_radius,
-                 "as far as shield/footprint reaches to the side = " + std::to_string(footprint.passingRadius()));
+                 "as far as shield/footprint reaches to the side = " + numberText(footprint.passingRadius()));
   const double needed_reach = parameters.step.length + footprint.circumscribedRadius() + shield.clearance;
   checkParameter(isAtMost(needed_reach, shield.reach), "shield/reach", shield.reach,
-                 "at least step, footprint radius and clearance together = " + std::to_string(needed_reach));
+                 "at least step, footprint radius and clearance together = " + numberText(needed_reach));
 
   const MemoryParameters& memory = parameters.memory;
   const double coarsest = coarsestResolution(shield);
   checkParameter(isAtMost(memory.resolution, coarsest), "memory/resolution", memory.resolution,
-                 "at most 0.29 shield/footprint_radius = " + std::to_string(coarsest));
+                 "at most 0.29 shield/footprint_radius = " + numberText(coarsest));
   const double widest = widestMemory(memory.resolution);
   checkParameter(isAtMost(memory.width, widest), "memory/width", memory.width,
-                 "at most 2000 memory/resolution = " + std::to_string(widest));
+                 "at most 2000 memory/resolution = " + numberText(widest));
   const double farthest = farthestRadius(memory.resolution);
   checkParameter(isAtMost(shield.footprint_radius + memory.comfort, farthest), "memory/comfort", memory.comfort,
-                 "with shield/footprint_radius at most 16 memory/resolution = " + std::to_string(farthest));
+                 "with shield/footprint_radius at most 16 memory/resolution = " + numberText(farthest));
   checkParameter(isAtMost(shield.footprint_radius + shield.clearance, farthest), "shield/clearance", shield.clearance,
-                 "with shield/footprint_radius at most 16 memory/resolution = " + std::to_string(farthest));
-  checkParameter(
-      isAtMost(widestRadius(parameters), farthest), "shield/tight_clearance", shield.tight_clearance,
-      "with the farthest corner of shield/footprint at most 16 memory/resolution = " + std::to_string(farthest));
+                 "with shield/footprint_radius at most 16 memory/resolution = " + numberText(farthest));
+  checkParameter(isAtMost(widestRadius(parameters), farthest), "shield/tight_clearance", shield.tight_clearance,
+                 "with the farthest corner of shield/footprint at most 16 memory/resolution = " + numberText(farthest));
 
   checkParameter(parameters.step.reached < parameters.goal_tolerance, "step/reached", parameters.step.reached,
-                 "less than goal_tolerance = " + std::to_string(parameters.goal_tolerance));
+                 "less than goal_tolerance = " + numberText(parameters.goal_tolerance));
 }
 
 }  // namespace lstm_planner

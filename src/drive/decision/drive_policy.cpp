@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lstm_planner/common/parameter_check.hpp"
+#include "lstm_planner/common/text_table.hpp"
 
 namespace lstm_planner {
 
@@ -146,8 +147,8 @@ DrivePolicy noPolicy() {
 
 void checkFits(const PolicyDescription& description, double step_length) {
   if (std::abs(description.step_length - step_length) > 0.01) {
-    throw std::invalid_argument("the model was trained for steps of " + std::to_string(description.step_length) +
-                                " m, step/length is " + std::to_string(step_length) + " m");
+    throw std::invalid_argument("the model was trained for steps of " + numberText(description.step_length) +
+                                " m, step/length is " + numberText(step_length) + " m");
   }
 }
 
@@ -156,8 +157,8 @@ bool reachesFarEnough(const PolicyDescription& description, double reach) {
 }
 
 std::string reachProblem(const PolicyDescription& description, double reach) {
-  return "the scanner reaches " + std::to_string(reach) + " m, the model was trained with a range cap of " +
-         std::to_string(description.encoder.range_cap) + " m and needs at least half of it";
+  return "the scanner reaches " + numberText(reach) + " m, the model was trained with a range cap of " +
+         numberText(description.encoder.range_cap) + " m and needs at least half of it";
 }
 
 std::string standInWarning(const PolicyDescription& description, double reach) {
@@ -171,8 +172,8 @@ std::string sizeWarning(const PolicyDescription& description, double footprint_r
   if (footprint_radius >= description.smallest_radius && footprint_radius <= largest) return "";
   const bool has_smallest = description.smallest_radius > 0.0;
   return "the network was tried with robots of radius " +
-         (has_smallest ? std::to_string(description.smallest_radius) + " to " : "up to ") + std::to_string(largest) +
-         " m, this robot's is " + std::to_string(footprint_radius) +
+         (has_smallest ? numberText(description.smallest_radius) + " to " : "up to ") + numberText(largest) +
+         " m, this robot's is " + numberText(footprint_radius) +
          " m (half of the width that it passes): it may lead worse, and the path through the remembered obstacles "
          "leads more often; leader: route is made "
          "for any size";

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "lstm_planner/common/text_table.hpp"
+
 namespace lstm_planner {
 
 bool sameGoal(const GoalInFrame& a, const GoalInFrame& b) {
@@ -15,7 +17,7 @@ bool sameGoal(const GoalInFrame& a, const GoalInFrame& b) {
 GoalTracker::GoalTracker(double patience, bool announces_each_plan)
     : patience_(patience), announces_each_plan_(announces_each_plan) {
   if (!std::isfinite(patience) || patience <= 0.0) {
-    throw std::invalid_argument("the goal tracker's patience is " + std::to_string(patience) +
+    throw std::invalid_argument("the goal tracker's patience is " + numberText(patience) +
                                 " s, expected a positive number");
   }
 }

@@ -1,12 +1,14 @@
 #include "lstm_planner/drive/perception/message_age.hpp"
 
+#include "lstm_planner/common/text_table.hpp"
+
 namespace lstm_planner {
 
 std::string ageProblem(double age, double timeout, const std::string& parameter) {
-  const std::string allowed = parameter + " = " + std::to_string(timeout) + " s";
-  if (age > timeout) return std::to_string(age) + " s old, allowed are " + allowed;
+  const std::string allowed = parameter + " = " + numberText(timeout) + " s";
+  if (age > timeout) return fixedText(age, 3) + " s old, allowed are " + allowed;
   if (age < -timeout) {
-    return "stamped " + std::to_string(-age) + " s in the future, allowed are " + allowed + ": the clocks differ (NTP)";
+    return "stamped " + fixedText(-age, 3) + " s in the future, allowed are " + allowed + ": the clocks differ (NTP)";
   }
   return "";
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drive/perception/beam_sum.hpp"
+#include "lstm_planner/common/text_table.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -27,7 +28,7 @@ struct BeamFan {
   bool reversed = false;   ///< the order of the ranges is clockwise
 };
 
-std::string degrees(double radians) { return std::to_string(radians * 180.0 / M_PI) + " degrees"; }
+std::string degrees(double radians) { return numberText(radians * 180.0 / M_PI) + " degrees"; }
 
 BeamFan fanOf(const RangeProfile& profile) {
   const long beams = static_cast<long>(profile.ranges.size());
@@ -108,7 +109,7 @@ void checkSector(double from, double width, int beams, int known, double least_m
   if (known == 0 || known < least_measured * beams) {
     refuse(std::to_string(known) + " of " + std::to_string(beams) + " beams measured from " + degrees(from) + " to " +
                degrees(from + width) + " around the robot's heading",
-           "at least the share least_measured = " + std::to_string(least_measured) + reasonsOf(profile.ranges));
+           "at least the share least_measured = " + numberText(least_measured) + reasonsOf(profile.ranges));
   }
 }
 
@@ -126,21 +127,20 @@ void checkScan(const LaserScan& scan, const SensorMount& mount) {
   }
   if (!is_within(scan.angle_min, kFarthestFirstBeam) || !is_within(scan.angle_increment, kFullTurn) ||
       is_within(scan.angle_increment, kFinestIncrement)) {
-    refuse(
-        "angle_min " + std::to_string(scan.angle_min) + " and angle_increment " + std::to_string(scan.angle_increment),
-        "finite angles and an increment other than 0 of at least 1e-5 rad");
+    refuse("angle_min " + numberText(scan.angle_min) + " and angle_increment " + numberText(scan.angle_increment),
+           "finite angles and an increment other than 0 of at least 1e-5 rad");
   }
   if (!(scan.range_min >= 0.0 && scan.range_min < scan.range_max)) {
-    refuse("range_min " + std::to_string(scan.range_min) + " and range_max " + std::to_string(scan.range_max),
+    refuse("range_min " + numberText(scan.range_min) + " and range_max " + numberText(scan.range_max),
            "0 or more, and range_min below range_max");
   }
   if (!isFinite(mount.pose)) throw UnusableScan("the pose of the scanner on the robot is not finite");
   if (!is_within(mount.pose.yaw, kFarthestFirstBeam)) {
-    throw UnusableScan("the scanner is turned by " + std::to_string(mount.pose.yaw) +
+    throw UnusableScan("the scanner is turned by " + numberText(mount.pose.yaw) +
                        " rad on the robot, expected at most two turns");
   }
   if (!is_within(mount.pose.x, kFarthestMount) || !is_within(mount.pose.y, kFarthestMount)) {
-    throw UnusableScan("the scanner is at (" + std::to_string(mount.pose.x) + ", " + std::to_string(mount.pose.y) +
+    throw UnusableScan("the scanner is at (" + numberText(mount.pose.x) + ", " + numberText(mount.pose.y) +
                        ") m on the robot, expected at most 100 m from its centre");
   }
 }
@@ -154,7 +154,7 @@ Sectors averageSectors(const LaserScan& scan, const SensorMount& mount, const Sc
 
 Sectors averageSectors(const RangeProfile& profile, double least_measured, double range_cap) {
   if (!(range_cap > 0.0) || !std::isfinite(range_cap)) {
-    throw std::invalid_argument("the range cap is " + std::to_string(range_cap) +
+    throw std::invalid_argument("the range cap is " + numberText(range_cap) +
                                 " m, expected a positive finite distance");
   }
   const BeamFan fan = fanOf(profile);

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "lstm_planner/common/output_file.hpp"
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/practice/decision_replay.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "lstm_planner/ros/common/parameter_reader.hpp"
@@ -178,7 +179,7 @@ void DriveAdvice::publishAgreement() {
     return all > 0 ? static_cast<double>(count) / static_cast<double>(all) : 0.0;
   };
   diagnostic_updater::DiagnosticStatusWrapper status;
-  const auto add = [&status](const std::string& key, double value) { status.add(key, std::to_string(value)); };
+  const auto add = [&status](const std::string& key, double value) { status.add(key, numberText(value)); };
   status.name = "drive_advice: agreement";
   status.message = describeReplay(replay_);
   add("decisions", static_cast<double>(agreement.decisions));

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/drive/perception/observation.hpp"
 
 namespace lstm_planner {
@@ -96,7 +97,7 @@ SensorMount mountFromMessage(const geometry_msgs::Transform& base_from_scanner) 
   const double upwards = rotation(2, 2);
   if (!(std::abs(upwards) >= std::cos(degreesToRadians(kLargestTilt)))) {
     throw std::invalid_argument("the scanner is tilted by " +
-                                std::to_string(std::acos(std::abs(upwards)) * 180.0 / M_PI) +
+                                fixedText(std::acos(std::abs(upwards)) * 180.0 / M_PI, 1) +
                                 " degrees, expected at most 15");
   }
   SensorMount mount;

@@ -49,8 +49,8 @@ PlanFollower::PlanFollower(const SteeringControllerParameters& parameters, const
 void PlanFollower::change(const SteeringControllerParameters& parameters) {
   if (reachOf(parameters) > reach_) {
     throw std::invalid_argument("that needs a restart: the controller would have to check obstacles within " +
-                                std::to_string(reachOf(parameters)) + " m, and it checks them within " +
-                                std::to_string(reach_) + " m");
+                                numberText(reachOf(parameters)) + " m, and it checks them within " +
+                                numberText(reach_) + " m");
   }
   tracker_.change(parameters.motion);
   shield_ = Shield(footprintOf(parameters), parameters.motion.safety_margin, reach_);
@@ -151,12 +151,12 @@ void PlanFollower::checkPlanAge(const ros::Time& now) const {
   if (parameters_.plan_timeout <= 0.0) return;
   const double age = secondsBetween(plan_time_, now);
   if (age < 0.0) {
-    throw OutdatedPlan("the clock was set back by at least " + std::to_string(-age) +
+    throw OutdatedPlan("the clock was set back by at least " + fixedText(-age, 3) +
                        " s since the plan was made: the age of the plan is not known");
   }
   if (age > parameters_.plan_timeout) {
-    throw OutdatedPlan("the plan is " + std::to_string(age) + " s old, allowed are plan_timeout = " +
-                       std::to_string(parameters_.plan_timeout) + " s: the planner does not renew it");
+    throw OutdatedPlan("the plan is " + fixedText(age, 3) + " s old, allowed are plan_timeout = " +
+                       numberText(parameters_.plan_timeout) + " s: the planner does not renew it");
   }
 }
 

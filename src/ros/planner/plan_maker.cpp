@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/drive/collision/returns_inside.hpp"
 #include "lstm_planner/drive/motion/elastic_band.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
@@ -169,7 +170,7 @@ void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2&
   }
   const double distance = distanceBetween(start.pose.position, robot);
   if (!(distance <= kFarthestStart)) {
-    throw PlanRefused("the start is " + std::to_string(distance) + " m from the robot (" +
+    throw PlanRefused("the start is " + fixedText(distance, 2) + " m from the robot (" +
                       ros::NodeHandle().resolveName(parameters_.sensors.odom_topic) +
                       "), plans are made only from where it stands: if tf has the pose of another odometry, as of an "
                       "EKF, odom_topic must be the topic of that one");

@@ -27,6 +27,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/common/input_file.hpp"
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/common/words.hpp"
 #include "lstm_planner/dataset/drive_events.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
@@ -201,13 +202,13 @@ class BagPlayer {
   bool isPlausible(const Stamped& stamped, const rosbag::MessageInstance& message) {
     const double stamp = stamped.header.stamp.toSec();
     if (stamps_.isPlausible(stamp, message.getTime().toSec())) return true;
-    skip(message, "it has a stamp of " + std::to_string(stamp) + " s, far ahead of the others");
+    skip(message, "it has a stamp of " + fixedText(stamp, 3) + " s, far ahead of the others");
     return false;
   }
 
   void skip(const rosbag::MessageInstance& message, const std::string& why) {
     if (++skipped_ > 1) return;
-    first_skipped_ = message.getTopic() + " at " + std::to_string(message.getTime().toSec()) + " s: " + why;
+    first_skipped_ = message.getTopic() + " at " + fixedText(message.getTime().toSec(), 3) + " s: " + why;
   }
 
   const BagDriveOptions& options_;

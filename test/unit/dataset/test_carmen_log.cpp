@@ -234,8 +234,8 @@ TEST(CarmenLogTest, MalformedLinesAreLeftOutAndTheFirstIsNamed) {
        {Expected{cut_off, "FLASER has no number where a reading should be"},
         {"ODOM 1 2 nan 0 0 0 5 host 5\n", "ODOM has no number where the pose should be"},
         {"ODOM 1 2 3\n", "ODOM has no number where speed and acceleration should be"},
-        {"FLASER 1e9 1 1\n", "FLASER has a number of readings of 1000000000.000000, expected 2 to 10000"},
-        {"FLASER 2.5 1 1\n", "FLASER has a number of readings of 2.500000, expected 2 to 10000"},
+        {"FLASER 1e9 1 1\n", "FLASER has a number of readings of 1e+09, expected 2 to 10000"},
+        {"FLASER 2.5 1 1\n", "FLASER has a number of readings of 2.5, expected 2 to 10000"},
         {"PARAM robot_frontlaser_offset inf\n", "PARAM robot_frontlaser_offset is no number"},
         {"PARAM robot_frontlaser_offset front\n", "PARAM robot_frontlaser_offset is no number"}}) {
     const CarmenLog log = parsed(scan + expected.line + odometry(2.0, 0.1) + expected.line);

@@ -305,7 +305,7 @@ TEST_F(DriveRecorderTest, ScansWithoutOdometryAroundThemAreCounted) {
   // From 101.0, when odometry was last heard, to 102.1.
   EXPECT_EQ(steps_.rejected(Rejection::kNoOdometry), 43);
   EXPECT_EQ(steps_.reason(Rejection::kNoOdometry),
-            "from one odometry message to the next it takes 1.100000 s, expected at most 0.500000 s");
+            "from one odometry message to the next it takes 1.100 s, expected at most 0.5 s");
   EXPECT_EQ(steps_.episodes().at(0).steps.size(), 7u);
 }
 
@@ -359,7 +359,7 @@ TEST_F(DriveRecorderTest, LateMessagesAreCountedWithTheirDelay) {
   record(robot.events);
   EXPECT_EQ(steps_.rejected(Rejection::kLate), 1);
   EXPECT_EQ(steps_.reason(Rejection::kLate),
-            "a message comes 0.500000 s after others with later stamps, expected at most delay = 0.300000 s");
+            "a message comes 0.500 s after others with later stamps, expected at most delay = 0.3 s");
 }
 
 TEST_F(DriveRecorderTest, AGoalAndItsEndHoldHoweverLateTheyCome) {

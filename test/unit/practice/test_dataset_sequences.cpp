@@ -194,7 +194,7 @@ TEST(DatasetSequences, AnotherRangeCapIsRefusedWithoutScansAndAveragedAnewWithTh
   parameters.policy.encoder.range_cap = 4.0;
   EXPECT_TRUE(needsScans(dataset, parameters.policy));
   EXPECT_EQ(test::refusalOf([&] { datasetSequences(dataset, parameters); }),
-            "the recording from 'one.bag' has a range cap of 6.000000 m, the network one of 4.000000 m, and without "
+            "the recording from 'one.bag' has a range cap of 6 m, the network one of 4 m, and without "
             "kept scans the ranges cannot be averaged anew");
   for (DriveStep& step : dataset.recordings[0].episodes[0].steps) {
     step.geometry = {"laser", -M_PI_2, M_PI / 720.0, 721, 0.1, 30.0, {}};

@@ -189,7 +189,7 @@ TEST_F(DriveRobots, AFootprintOfOnePluginAloneIsRefused) {
     return drive("--worlds open --goals 1 --robot " + fileWith(text)).output;
   };
   EXPECT_NE(refusal("LstmGlobalPlanner: {shield: {footprint_radius: 0.3}}\n")
-                .find("SteeringController/footprint_radius is 0.174250, expected 0.300000"),
+                .find("SteeringController/footprint_radius is 0.17425, expected 0.3"),
             std::string::npos);
   EXPECT_NE(refusal("LstmGlobalPlanner: {shield: {footprint: [[1, 1], [1, -1], [-1, 0]]}}\n")
                 .find("SteeringController/footprint is '', expected '[[1, 1], [1, -1], [-1, 0]]'"),
@@ -286,7 +286,7 @@ TEST_F(DriveRobots, AFileThatMakesNoSenseIsRefusedWithASentence) {
   EXPECT_TRUE(contains(complaint(fileWith("LstmGlobalPlanner: " + second + "\nSteeringController: " + second)),
                        "create2_stub/second_laser/is_mounted is false, expected true"));
   EXPECT_TRUE(contains(complaint(fileWith("create2_stub: {robot: {base_diameter: 0.5}}")),
-                       "create2_stub/robot/base_diameter is 0.500000, expected 0.348500"));
+                       "create2_stub/robot/base_diameter is 0.5, expected 0.3485"));
   EXPECT_TRUE(contains(complaint(fileWith("create2_stub: {robot: {footprint: [[1, 1], [1, -1], [-1, 0]]}}")),
                        "create2_stub/robot/footprint is '[[1, 1], [1, -1], [-1, 0]]', expected ''"));
   EXPECT_TRUE(contains(complaint(fileWith("create2_stub: {laser: {angle_min: -0.5, beams: 230}}")),

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lstm_planner/common/geometry.hpp"
+#include "lstm_planner/common/text_table.hpp"
 
 namespace lstm_planner {
 
@@ -23,7 +24,7 @@ class ActionSet {
     }
     for (std::size_t i = 0; i < angles_.size(); ++i) {
       if (!std::isfinite(angles_[i]) || std::abs(angles_[i]) > M_PI || (i > 0 && angles_[i] <= angles_[i - 1])) {
-        throw std::invalid_argument("steering angle " + std::to_string(i) + " is " + std::to_string(angles_[i]) +
+        throw std::invalid_argument("steering angle " + std::to_string(i) + " is " + numberText(angles_[i]) +
                                     ", expected ascending angles within [-pi, pi]");
       }
     }

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/drive/decision/drive_policy.hpp"
 #include "support/refusal.hpp"
 #include "support/scratch_folder.hpp"
@@ -91,7 +92,7 @@ TEST(DrivePolicy, WarnsOfRobotsThatTheModelWasNeverTriedWith) {
   EXPECT_EQ(sizeWarning(description, 0.5), "");
   for (const double radius : {0.09, 0.51}) {
     const std::string warning = sizeWarning(description, radius);
-    EXPECT_TRUE(contains(warning, "0.100000 to 0.500000 m") && contains(warning, std::to_string(radius))) << warning;
+    EXPECT_TRUE(contains(warning, "0.1 to 0.5 m") && contains(warning, numberText(radius))) << warning;
   }
 }
 

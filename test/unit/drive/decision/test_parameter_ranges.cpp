@@ -117,7 +117,7 @@ TEST(ParameterRanges, KeepComfortWithinWhatTheMemoryCanLookAt) {
   parameters.memory.comfort = 1.2;
   EXPECT_EQ(complaintAbout(parameters),
             "parameter memory/comfort is 1.2, expected with shield/footprint_radius at most 16 memory/resolution = "
-            "0.800000");
+            "0.8");
 }
 
 }  // namespace

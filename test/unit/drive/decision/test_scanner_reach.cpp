@@ -44,7 +44,7 @@ TEST_F(ScannerReach, TheRememberedPathLeadsWhereTheScannerIsTooShortForTheNetwor
   EXPECT_TRUE(decision.on_route);
   EXPECT_EQ(decision.preferred, -1) << "the network is not asked";
   EXPECT_EQ(agent_.standInWarning(),
-            "the scanner reaches 2.770000 m, the model was trained with a range cap of 6.000000 m and needs at least "
+            "the scanner reaches 2.77 m, the model was trained with a range cap of 6 m and needs at least "
             "half of it: the path through the remembered obstacles leads in its place");
 }
 

@@ -200,7 +200,7 @@ TEST(AverageSectors, RefusesASectorOfWhichLessThanTheLeastShareWasMeasured) {
   for (std::size_t beam = 270; beam < 270 + 45; ++beam) scan.ranges[beam] = kNan;  // half of sector 1
   EXPECT_EQ(refusal(scan), "");
   scan.ranges[270 + 45] = kNan;
-  EXPECT_THAT(refusal(scan), HasSubstr("44 of 90 beams measured from -67.500000 degrees to -45.000000 degrees"));
+  EXPECT_THAT(refusal(scan), HasSubstr("44 of 90 beams measured from -67.5 degrees to -45 degrees"));
   ScanRules tolerant;
   tolerant.least_measured = 0.4;
   EXPECT_EQ(refusal(scan, {}, tolerant), "");
