@@ -121,7 +121,7 @@ TEST_F(ControllerTest, StandsWhileTheOdometryIsOld) {
 TEST_F(ControllerTest, StandsWhenThePlanIsNotRenewed) {
   EXPECT_TRUE(controller_->setPlan(straightPlan("odom", {}, 3.0)));
   EXPECT_TRUE(computeAt(robot_.pose()));
-  expectStands("the plan is 2.* s old, allowed are plan_timeout = 2.0", [&] { robot_.again(); });
+  expectStands("the plan is 2.* s old, allowed are plan_timeout = 2 s", [&] { robot_.again(); });
   EXPECT_FALSE(controller_->isGoalReached());
   controller_->setPlan(straightPlan("odom", robot_.pose(), 3.0));
   EXPECT_TRUE(computeAt(robot_.pose()));

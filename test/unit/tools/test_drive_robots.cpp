@@ -290,7 +290,7 @@ TEST_F(DriveRobots, AFileThatMakesNoSenseIsRefusedWithASentence) {
   EXPECT_TRUE(contains(complaint(fileWith("create2_stub: {robot: {footprint: [[1, 1], [1, -1], [-1, 0]]}}")),
                        "create2_stub/robot/footprint is '[[1, 1], [1, -1], [-1, 0]]', expected ''"));
   EXPECT_TRUE(contains(complaint(fileWith("create2_stub: {laser: {angle_min: -0.5, beams: 230}}")),
-                       "the scan covers -28.647890 degrees to 28.6"));
+                       "the scan covers -28.6479 degrees to 28.6"));
   EXPECT_TRUE(contains(complaint(fileWith("LstmGlobalPlanner: 3")), "LstmGlobalPlanner is not a group"));
   EXPECT_TRUE(contains(complaint(fileWith("just a text")), "expected groups of parameters"));
   EXPECT_TRUE(contains(complaint(fileWith("a: [")), "robot.yaml"));
