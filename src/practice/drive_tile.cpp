@@ -15,6 +15,10 @@ constexpr double kValueScale = 5.0;
 constexpr double kAdvantageDecay = 0.95;  ///< lambda
 constexpr double kClip = 0.2;             ///< how far from 1 a probability's change still counts
 
+/// The critic judges all steps of a window at once, each in a lane. Lanes of a network come in multiples of 16, which
+/// eight queues times any window are not: those without a step have inputs and gradients of zero.
+int criticLanes(int steps) { return (steps + 15) / 16 * 16; }
+
 }  // namespace
 
 DriveTile::DriveTile(const DriveActorCriticParameters& parameters, const LayerStack& policy, const LayerStack& critic)
@@ -24,7 +28,7 @@ DriveTile::DriveTile(const DriveActorCriticParameters& parameters, const LayerSt
       views_(parameters.policy),
       queues_(views_.queues(), parameters.window, policy_inputs_),
       policy_(policy, views_.networkLanes(), parameters.window),
-      critic_(critic, views_.queues() * parameters.window, 1) {}
+      critic_(critic, criticLanes(views_.queues() * parameters.window), 1) {}
 
 void DriveTile::rewind() { policy_.reset(); }
 

@@ -97,6 +97,17 @@ TEST_P(DriveActorCriticWithViews, LearnsToGoToTheGoalInTheOpen) {
   EXPECT_GT(learner->report().reward, before + 2.0) << "m nearer to the goal a drive";
 }
 
+TEST_P(DriveActorCriticWithViews, LearnsInWindowsOfAnyLength) {
+  DriveActorCriticParameters parameters = withExamples(GetParam());
+  for (const int window : {1, 7}) {
+    parameters.window = window;
+    const auto learner = newLearner(parameters);
+    const Eigen::VectorXf before = parameterVector(learner->layers());
+    for (int i = 0; i < 2; ++i) learner->step();
+    EXPECT_NE(parameterVector(learner->layers()), before) << window;
+  }
+}
+
 TEST_P(DriveActorCriticWithViews, GivesTheSameWeightsForAnyNumberOfThreads) {
   DriveActorCriticParameters parameters = withExamples(GetParam());
   const auto one = newLearner(parameters);
