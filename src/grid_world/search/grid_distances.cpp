@@ -12,6 +12,9 @@ constexpr float kUnreachable = std::numeric_limits<float>::infinity();
 /// No move is longer than sqrt(2): three buckets of width 1 hold all that is open.
 constexpr std::size_t kBuckets = 3;
 
+/// From here on a float may not become longer by a move, which would come into the bucket that is being emptied.
+constexpr float kTooLong = 16777216.0f;  // 2^24 cells
+
 }  // namespace
 
 GridDistances::GridDistances(const PassableGrid& grid, CellIndex goal, CornerCutting corner_cutting)
@@ -35,7 +38,7 @@ GridDistances::GridDistances(const PassableGrid& grid, CellIndex goal, CornerCut
         const CellIndex cell = cellBeside(current.cell, direction);
         const float length = current.length + static_cast<float>(moveLength(direction));
         float& known = lengths_[cell];
-        if (length >= known) continue;
+        if (length >= known || length >= kTooLong) continue;
         known = length;
         buckets[static_cast<std::size_t>(length) % kBuckets].push_back({cell, length});
       }

@@ -12,7 +12,7 @@ class GridDistances {
   /// If the goal is outside or in a wall, no cell has a path to it.
   GridDistances(const PassableGrid& grid, CellIndex goal, CornerCutting corner_cutting);
 
-  /// +inf outside and where there is no path.
+  /// +inf outside and where there is no path, or one of 2^24 cells or more.
   float at(CellIndex cell) const;
 
  private:

@@ -31,5 +31,18 @@ TEST(GridDistances, AreInfiniteOutsideInWallsAndBehindThem) {
   EXPECT_TRUE(std::isinf(GridDistances(grid, {2, 1}, CornerCutting::kAllowed).at({0, 0})));
 }
 
+TEST(GridDistances, AreInfiniteWhereFloatsNoLongerTellMovesApart) {
+  constexpr int kSide = 5801;  // a path of more than 2^24 cells winds through it: 5802 in every second row
+  PassableGrid grid(kSide, kSide, true);
+  for (int row = 1; row < kSide; row += 2) {
+    for (int column = 0; column < kSide; ++column) grid.set({column, row}, column == (row % 4 == 1 ? kSide - 1 : 0));
+  }
+  const GridDistances distances(grid, {0, 0}, CornerCutting::kForbidden);
+  constexpr int kRow = 2 * 2891;  // through which it leads back
+  const int column = kSide - 1 - (16777216 - 2891 * 5802);
+  EXPECT_EQ(distances.at({column + 1, kRow}), 16777215.0f);
+  EXPECT_TRUE(std::isinf(distances.at({column, kRow})));
+}
+
 }  // namespace
 }  // namespace lstm_planner::test_grid_distances
