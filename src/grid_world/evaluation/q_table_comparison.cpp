@@ -153,6 +153,8 @@ class Contest {
   }
 
   static QTableRow filled(QTableRow row, const std::vector<GridEpisode>& episodes) {
+    row.arrived = row.ratio = std::nan("");
+    if (episodes.empty()) return row;  // all starts are near the other goal
     const GridSetSummary summary = summarizeGridEpisodes(row.agent, episodes);
     row.arrived = summary.share(summary.arrived);
     row.ratio = summary.mean_ratio;
@@ -209,7 +211,8 @@ std::string toMarkdown(const std::vector<QTableOutcome>& outcomes) {
   for (const QTableOutcome& outcome : outcomes) {
     for (const QTableRow& row : outcome.rows) {
       table.row({outcome.maps, row.agent, row.steps > 0 ? std::to_string(row.steps) : "-",
-                 fixedText(100.0 * row.arrived, 1) + " %", std::isfinite(row.ratio) ? fixedText(row.ratio, 3) : "-"});
+                 std::isfinite(row.arrived) ? fixedText(100.0 * row.arrived, 1) + " %" : "-",
+                 std::isfinite(row.ratio) ? fixedText(row.ratio, 3) : "-"});
     }
   }
   return text.str();

@@ -28,7 +28,7 @@ void validate(const QTableComparisonParameters& parameters);
 struct QTableRow {
   std::string agent;
   std::int64_t steps = 0;  ///< learned from on each map, on average; 0 for an agent that knows none of them
-  double arrived = 0.0;    ///< share
+  double arrived = 0.0;    ///< share; not a number if all starts are too near to the goal
   double ratio = 0.0;      ///< length / optimum, mean of those that arrived; not a number if none did
 };
 /// The rows of one kind of maps.

@@ -38,6 +38,16 @@ TEST(QTableComparison, TablesLearnTheirMapAndTheirGoalAlone) {
   }
 }
 
+TEST(QTableComparison, TellsNothingOfAGoalNearAllStarts) {
+  QTableComparisonParameters parameters;
+  parameters.size = 8;
+  parameters.maps = 1;
+  parameters.starts = 1;
+  parameters.episodes = {1};
+  const std::string table = toMarkdown(compareQTables(parameters, {}));
+  EXPECT_NE(table.find("another goal | 67 | - | - |"), std::string::npos) << table;
+}
+
 TEST(QTableComparison, RefusesWhatMakesNoSense) {
   QTableComparisonParameters parameters = smallComparison();
   parameters.episodes = {10, 5};
