@@ -59,7 +59,7 @@ bool readOptions(const std::vector<std::string>& arguments, JudgeOptions* option
   addWorldKinds(&o.course.worlds, &line);
   line.add("worlds", &o.worlds, kAnyCount, "number of worlds of all kinds together");
   line.add("max-steps", &o.max_steps, kAnyCount, "largest number of steps of a drive");
-  line.add("shortest", &o.course.shortest, kAnyLength, "m; smallest length of the path to the goal");
+  line.add("shortest", &o.course.shortest, {0.001, 1e6}, "m; smallest length of the path to the goal");
   line.addSeed(&o.seed, "seed of worlds, drives and conditions");
   line.add("threads", &o.threads, kAnyThreads, "number of threads; does not change the result");
   line.addFiles(

@@ -104,7 +104,7 @@ void addGridMapOptions(GridTrainingOptions* options, CommandLine* line) {
                  "maps 0-5 of a set (of more than 20 maps the first half) are for training, the others for validation "
                  "(default: generated caves, mazes and random fill)");
   line->add("map-size", &o.map_size, {16, 4096}, "cells; size of the generated maps");
-  line->add("min-length", &o.min_length, kAnyLength, "cells, of the shortest path");
+  line->add("min-length", &o.min_length, {2.0, 1e6}, "cells, of the shortest path");
   line->add("max-length", &o.max_length, kAnyLength, "cells, of the shortest path");
   line->addFlag("thesis-terrain", &o.rule, PassableRule::kThesis, "only '.' is passable, not 'G' and 'S'");
   line->add("epochs", &o.epochs, kAnyCount, "number of epochs; with dagger: of each round");
