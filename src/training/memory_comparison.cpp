@@ -57,8 +57,9 @@ double factorAStep(const Eigen::VectorXd& relative) {
   return std::pow(relative[relative.size() - 1], 1.0 / static_cast<double>(relative.size() - 1));
 }
 
-/// "1.5e-03 (0.90)"
+/// "1.5e-03 (0.90)", or "-" where saturated units do not depend on the first step at all.
 std::string lastAndFactor(const Eigen::VectorXd& relative) {
+  if (!relative.allFinite()) return "-";
   std::ostringstream text;
   text << std::scientific << std::setprecision(1) << relative[relative.size() - 1] << " ("
        << fixedText(factorAStep(relative), 2) << ')';

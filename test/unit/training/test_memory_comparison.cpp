@@ -44,6 +44,14 @@ TEST(MemoryComparison, EndsWithTheNetworksThatAreComplete) {
   EXPECT_EQ(outcomes.size(), 2u);
 }
 
+TEST(MemoryComparison, TellsNothingOfUnitsThatDependOnNoInput) {
+  MemoryComparisonParameters parameters = shortComparison();
+  parameters.sequences = 2;
+  parameters.learning_rate = 100.0;  // saturates all units
+  const std::string tables = memoryTables(parameters, compareMemory(parameters, {memoryNetworks().front()}));
+  EXPECT_EQ(tables.find("nan"), std::string::npos) << tables;
+}
+
 TEST(MemoryComparison, RefusesADelayThatIsNotMeasured) {
   MemoryComparisonParameters parameters = shortComparison();
   parameters.shown_delay = 5;
