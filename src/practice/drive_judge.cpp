@@ -27,7 +27,7 @@ std::vector<JudgedDrive> judgeEach(const DrivePolicy& policy, const AgentParamet
         judged.world = world;
         judged.kind = exercise.kind;
         judged.arrived = drive.run(max_steps, &agent) == LoopEnd::kArrived;
-        if (judged.arrived) judged.efficiency = task.shortest / std::max(task.shortest, drive.pathLength());
+        if (judged.arrived) judged.efficiency = drive.efficiency();
         by_world[static_cast<std::size_t>(world)].push_back(judged);
       }
     }

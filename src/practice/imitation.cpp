@@ -71,7 +71,7 @@ LabelledEpisode driveEpisode(const DriveExercise& exercise, const DriveTask& tas
     return known && teacher_drives ? std::optional<int>(label) : std::nullopt;
   });
   episode.arrived = drive.run(parameters.max_steps, &agent) == LoopEnd::kArrived;
-  if (episode.arrived) episode.efficiency = task.shortest / std::max(task.shortest, drive.pathLength());
+  if (episode.arrived) episode.efficiency = drive.efficiency();
   return episode;
 }
 

@@ -40,6 +40,7 @@ inline int octileFifths(int columns, int rows) {
 
 /// The direction so many eighths of a turn to the left of another; of any sign.
 inline int turned(int direction, int eighths) { return (direction + eighths) & (kGridRayCount - 1); }
+inline int opposite(int direction) { return turned(direction, kGridRayCount / 2); }
 
 /// The index in kGridRaySteps of the step from one cell to the other; -1 if there is none.
 inline int rayBetween(CellIndex from, CellIndex to) {

@@ -43,6 +43,11 @@ inline CellIndex cellBeside(CellIndex cell, int direction) {
 /// Length of a move, 1 or sqrt(2), cells.
 inline double moveLength(int direction) { return direction % 2 == 0 ? 1.0 : 1.4142135623730951; }
 
+/// Length of so many moves, cells; rounded once, however many there are.
+inline double lengthOfMoves(std::int64_t straight, std::int64_t diagonal) {
+  return static_cast<double>(straight) + moveLength(1) * static_cast<double>(diagonal);
+}
+
 /// Whether a move from `cell` to its neighbour in that direction is possible.
 bool movePossible(const PassableGrid& grid, CellIndex cell, int direction, CornerCutting corner_cutting);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "lstm_planner/common/random.hpp"
@@ -50,6 +51,8 @@ class StepSimulator : private LoopRobot {
   const Pose2& truePose() const { return pose_; }  ///< world frame; known to teachers only
   int contacts() const { return contacts_.contacts(); }
   double pathLength() const { return path_length_; }  ///< m
+  /// Of a drive that arrived: best / driven path, at most 1.
+  double efficiency() const { return task_.shortest / std::max(task_.shortest, path_length_); }
 
  private:
   bool sense(double range_cap, Situation* situation) override;

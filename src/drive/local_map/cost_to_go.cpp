@@ -8,11 +8,6 @@
 #include "lstm_planner/grid/grid_rays.hpp"
 
 namespace lstm_planner {
-namespace {
-
-int opposite(int direction) { return direction ^ 4; }
-
-}  // namespace
 
 CostToGo::CostToGo(double tightness) {
   const auto tight = static_cast<int>(std::lround(tightness * 2.0));

@@ -43,7 +43,7 @@ BoundaryStep nextAlongBoundary(const GridObservation& observation, BoundaryEdge 
   const CellIndex corner = cellBeside(ahead, edge.wall);
   const SeenCell seen_ahead = seenCell(observation, ahead);
   const SeenCell seen_corner = seenCell(observation, corner);
-  const BoundaryEdge around = {corner, turned(travel, 4)};
+  const BoundaryEdge around = {corner, opposite(travel)};
 
   if (corner_cutting == CornerCutting::kAllowed) {
     if (seen_corner == SeenCell::kUnknown) return {};

@@ -81,10 +81,6 @@ std::int64_t gridStepBound(const PassableGrid& grid) {
   return std::max(kFewest, kStepsPerCell * static_cast<std::int64_t>(grid.size()));
 }
 
-double GridEpisode::length() const {
-  return static_cast<double>(straight_moves) * moveLength(0) + static_cast<double>(diagonal_moves) * moveLength(1);
-}
-
 double GridEpisode::ratio() const { return steps() == 0 || optimal_length <= 0.0 ? 1.0 : length() / optimal_length; }
 
 GridEpisode runGridEpisode(const PassableGrid& grid, const RangeTable& ranges, CellIndex start, CellIndex goal,

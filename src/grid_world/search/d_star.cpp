@@ -15,11 +15,6 @@
 // - The text calls x a LOWER state if k(x) > h(x), which cannot be; it is k(x) = h(x).
 
 namespace lstm_planner {
-namespace {
-
-constexpr int opposite(int direction) { return (direction + kGridMoveCount / 2) % kGridMoveCount; }
-
-}  // namespace
 
 struct DStar::Later {
   bool operator()(const Open& a, const Open& b) const { return a.k > b.k; }

@@ -31,7 +31,7 @@ double lengthOfPath(const PassableGrid& grid, const GridDistances& distances, Ce
     ++(best % 2 == 0 ? straight : diagonal);
     cell = cellBeside(cell, best);
   }
-  return straight * moveLength(0) + diagonal * moveLength(1);
+  return lengthOfMoves(straight, diagonal);
 }
 
 class Draw {

@@ -49,7 +49,7 @@ struct GridEpisode {
   std::int64_t overruled_by_bound = 0;
 
   std::int64_t steps() const { return straight_moves + diagonal_moves; }
-  double length() const;  ///< cells travelled
+  double length() const { return lengthOfMoves(straight_moves, diagonal_moves); }  ///< cells travelled
 
   /// Length / optimum. The agent stops within one cell of the goal, so this can be a little below 1; it is 1 if the
   /// start is that near already.

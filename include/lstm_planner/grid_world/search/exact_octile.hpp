@@ -14,7 +14,7 @@ struct OctileDistance {
   std::int64_t diagonal = 0;
 
   /// In cells.
-  double length() const { return static_cast<double>(straight) + 1.4142135623730951 * static_cast<double>(diagonal); }
+  double length() const { return lengthOfMoves(straight, diagonal); }
 };
 
 inline OctileDistance octileDistance(CellIndex a, CellIndex b) {

@@ -38,10 +38,7 @@ struct GridPath {
   std::int64_t diagonal_moves = 0;
 
   bool found() const { return !cells.empty(); }
-  /// Cells; rounded once, however long the path is.
-  double length() const {
-    return static_cast<double>(straight_moves) + moveLength(1) * static_cast<double>(diagonal_moves);
-  }
+  double length() const { return lengthOfMoves(straight_moves, diagonal_moves); }  ///< cells
 };
 
 /// The path along neighbouring cells.
