@@ -54,11 +54,10 @@ std::vector<std::vector<CellIndex>> drawStarts(const CourseMap& map, const GridD
       starts[bucket][uniformIndex(random, kStartsABucket)] = cell;
     }
   }
+  // Lengths far beyond all paths may be allowed.
+  while (!starts.empty() && starts.back().empty()) starts.pop_back();
+  starts.shrink_to_fit();
   return starts;
-}
-
-bool hasStart(const CourseGoal& goal) {
-  return std::any_of(goal.starts.begin(), goal.starts.end(), [](const auto& bucket) { return !bucket.empty(); });
 }
 
 }  // namespace
@@ -140,7 +139,7 @@ std::shared_ptr<const CourseGoal> GridCourse::makeGoal(const CourseSet& set, Ran
     goal->corner_cutting = parameters_.corner_cutting;
     goal->distances = GridDistances(map->grid, cell, parameters_.corner_cutting);
     goal->starts = drawStarts(*map, goal->distances, parameters_, random);
-    if (hasStart(*goal)) return goal;
+    if (!goal->starts.empty()) return goal;
   }
   throw std::invalid_argument("no path of the wanted length was found on the training maps");
 }
@@ -168,8 +167,8 @@ GridCourse::Episode GridCourse::draw(Random& random) const {
   constexpr int kAttempts = 1000;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const auto& goal = set.goals[uniformIndex(random, set.goals.size())];
+    if (bucket >= goal->starts.size() || goal->starts[bucket].empty()) continue;
     const auto& starts = goal->starts[bucket];
-    if (starts.empty()) continue;
     CellIndex start = starts[uniformIndex(random, starts.size())];
     if (parameters_.dead_end_share > 0.0 && uniform(random) < parameters_.dead_end_share) {
       const CellIndex end = deadEndBelow(goal->map->grid, start, goal->goal, parameters_.corner_cutting);

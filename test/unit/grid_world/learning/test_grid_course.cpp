@@ -54,6 +54,12 @@ TEST(GridCourse, AShareOfThePathsIsShortMoreOften) {
   EXPECT_NEAR(shareBelow20(1.0), std::log(2.0) / std::log(5.0), 0.032);
 }
 
+TEST(GridCourse, ALimitFarBeyondAllPathsTakesNoMemory) {
+  const GridCourse course(parametersFor(10, 1e6, 1.0), twoSets(), 3, 1);
+  Random random(1);
+  EXPECT_LE(course.draw(random).goal->starts.capacity(), 20u);
+}
+
 /// A square with a pocket that is open to the left, and the goal to the right of it.
 TEST(GridCourse, AgentsThatOnlyComeNearerEndInDeadEnds) {
   PassableGrid grid(20, 11, true);
