@@ -423,6 +423,12 @@ bool CommandLine::given(const std::string& name) const {
                      [&](const Option& option) { return option.name == "--" + name && option.is_given; });
 }
 
+void CommandLine::refuseIdle(const std::vector<std::string>& names, const std::string& why) const {
+  for (const std::string& name : names) {
+    if (given(name)) throw std::invalid_argument("--" + name + " has no effect " + why);
+  }
+}
+
 nlohmann::json CommandLine::settings() const {
   nlohmann::json settings = nlohmann::json::object();
   for (const Option& option : options_) {

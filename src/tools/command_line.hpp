@@ -180,6 +180,9 @@ class CommandLine {
   /// Whether the user named the option; after parse().
   bool given(const std::string& name) const;
 
+  /// Refuses those of the options that the user named, as they have no effect `why`: "without --film"; after parse().
+  void refuseIdle(const std::vector<std::string>& names, const std::string& why) const;
+
   /// What a training depends on, for its checkpoint: the values of all options, but for files that are written and
   /// options that change no result; after parse().
   nlohmann::json settings() const;

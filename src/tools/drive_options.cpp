@@ -151,6 +151,7 @@ bool readDriveOptions(const std::vector<std::string>& arguments, DriveOptions* o
     MemoryParameters& memory = options->agent.memory;
     if (options->knows_map) memory.width = kMostSquaresASide * memory.resolution;
     check(*options);
+    if (options->film.empty()) line.refuseIdle({"film-period", "film-size"}, "without --film");
   });
   return line.parse(arguments);
 }

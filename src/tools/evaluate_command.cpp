@@ -45,6 +45,15 @@ bool readOptions(const std::vector<std::string>& arguments, EvaluateOptions* opt
     } else if (line.given("model")) {
       throw std::invalid_argument("agent " + agent.agent + " has no --model");
     }
+    if (agent.agent != "astar") {
+      line.refuseIdle({"heuristic", "keep-closed", "four-moves", "straight-cost", "diagonal-cost"},
+                      "without --agent astar");
+    }
+    if (!isNetworkAgent(agent.agent)) line.refuseIdle({"no-shield", "no-escape"}, "with --agent " + agent.agent);
+    if (!isNetworkAgent(agent.agent) || !agent.network.guided) {
+      line.refuseIdle({"detour-allowance", "detour-share"}, "without a network under the bound");
+    }
+    if (agent.network.guided) line.refuseIdle({"draw-after"}, "without --no-escape");
   });
   return line.parse(arguments);
 }

@@ -69,6 +69,10 @@ bool readOptions(const std::vector<std::string>& arguments, JudgeOptions* option
   line.whenParsed([&] {
     if (!o.model.empty()) o.model = findSharedFile(o.model);
     check(o);
+    if (o.leader != Leader::kNetwork) line.refuseIdle({"model"}, "with --leader " + nameOfLeader(o.leader));
+    if (!o.recordings.empty()) {
+      line.refuseIdle({"kinds", "worlds", "max-steps", "shortest", "seed", "threads"}, "with --recordings");
+    }
   });
   return line.parse(arguments);
 }

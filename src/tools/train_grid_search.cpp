@@ -45,8 +45,7 @@ bool readOptions(const std::vector<std::string>& arguments, SearchOptions* optio
   imitation.seed = options->grid.seed;
   imitation.threads = options->grid.threads;
   validate(imitation);
-  checkWritable(options->output + ".md");
-  checkWritable(options->output + ".csv");
+  checkWithoutExtension(options->output, {".md", ".csv"});
   return true;
 }
 

@@ -43,6 +43,9 @@ bool readOptions(const std::vector<std::string>& arguments, FromBagOptions* opti
   visitHindsightParameters(drive.hindsight_parameters, line.everyParameter());
   line.section("steps: the parameters of dataset_recorder");
   addRecorderOptions(&options->recorder, &line);
+  line.whenParsed([&] {
+    if (!drive.hindsight) line.refuseIdle({"stop", "longest", "shortest"}, "without --hindsight");
+  });
   return line.parse(arguments);
 }
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <regex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/tool_test.hpp"
@@ -155,6 +156,29 @@ TEST_F(CommandLineTool, RefusesWhatHasNoMeaning) {
   EXPECT_TRUE(contains(complaint("drive --no-shield=2"), "--no-shield takes no value"));
   EXPECT_TRUE(contains(complaint("drive --seed 1 --seed 2"), "--seed is given 2 times, expected once"));
   EXPECT_TRUE(contains(complaint("dataset export a.db"), "--output is required"));
+}
+
+TEST_F(CommandLineTool, RefusesOptionsWithoutEffect) {
+  const std::string model = "--model " LSTM_PLANNER_SOURCE_DIR "/models/create2_lstm.onnx ";
+  const std::string practice = "train --method actor-critic --output " + in("own.onnx");
+  const std::string grid = "train --task grid --method imitation --output " + in("own.onnx");
+  const std::pair<std::string, std::string> uses[] = {
+      {"drive --worlds open --film-size 800", "--film-size has no effect without --film\n"},
+      {"judge --leader route " + model, "--model has no effect with --leader route\n"},
+      {"judge --recordings a.db --worlds 3 " + model, "--worlds has no effect with --recordings\n"},
+      {"evaluate --scenarios a --four-moves", "--four-moves has no effect without --agent astar\n"},
+      {"evaluate --scenarios a --agent dstar --no-escape", "--no-escape has no effect with --agent dstar\n"},
+      {"evaluate --scenarios a --no-escape --detour-share 1", "--detour-share has no effect without a network under"},
+      {"evaluate --scenarios a --draw-after 3", "--draw-after has no effect without --no-escape\n"},
+      {"train --event-range 2 --output " + in("own.onnx"),
+       "--event-range has no effect without events or events-alone among --inputs\n"},
+      {practice + " --event-range 2 --inputs trace", "--event-range has no effect without events"},
+      {practice + " --path-weight 2", "--path-weight has no effect without --path-share\n"},
+      {practice + " --recordings-weight 2", "--recordings-weight has no effect without --recordings\n"},
+      {grid + " --momentum 0.9", "--momentum has no effect with --optimiser adam\n"},
+      {"dataset from-bag a.bag --stop 3 --output " + in("a.db"), "--stop has no effect without --hindsight\n"},
+  };
+  for (const auto& [use, expected] : uses) EXPECT_TRUE(contains(complaint(use), expected)) << use;
 }
 
 TEST_F(CommandLineTool, RefusesFilesWithoutAName) {
