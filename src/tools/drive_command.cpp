@@ -55,8 +55,8 @@ DrivePolicy policyOf(const DriveOptions& options) {
   return policy;
 }
 
-DriveResults driveAll(const DriveOptions& options, const DriveCourse& course, DriveStates* states) {
-  const DrivePolicy policy = policyOf(options);
+DriveResults driveAll(const DriveOptions& options, const DriveCourse& course, const DrivePolicy& policy,
+                      DriveStates* states) {
   DriveResults results;
   std::vector<std::pair<std::size_t, std::size_t>> jobs;
   for (std::size_t world = 0; world < course.worlds.size(); ++world) {
@@ -82,10 +82,11 @@ DriveResults driveAll(const DriveOptions& options, const DriveCourse& course, Dr
 int runDrive(const std::vector<std::string>& arguments) {
   DriveOptions options;
   if (!readDriveOptions(arguments, &options)) return 0;
+  const DrivePolicy policy = policyOf(options);  // before the worlds, which may take a minute
   const DriveCourse course = makeDriveCourse(options);
   DriveStates states;
-  const DriveResults results = driveAll(options, course, &states);
-  printDriveSummary(std::cout, course, results);
+  const DriveResults results = driveAll(options, course, policy, &states);
+  printDriveSummary(std::cout, options, course, results);
   if (!options.json.empty()) writeJsonFile(options.json, driveJson(options, course, results));
   if (!options.details.empty()) writeTextFile(options.details, driveCsv(course, results));
   if (!options.pictures.empty()) drawDrives(options.pictures, course, results);

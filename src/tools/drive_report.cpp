@@ -44,11 +44,13 @@ void printBarnScore(std::ostream& out, const std::vector<DriveResult>& results) 
 }
 
 std::string lineOf(const TextTable& table, const std::string& name, const DriveSummary& summary) {
+  const auto mean = [&](double value, int decimals, const char* unit = "") {
+    return summary.reached > 0 ? fixedText(value, decimals) + unit : "-";
+  };
   return table.line({name, std::to_string(summary.goals), std::to_string(summary.reached),
                      std::to_string(summary.contacts), std::to_string(summary.bumped), std::to_string(summary.no_path),
                      std::to_string(summary.timeouts), std::to_string(summary.stuck), std::to_string(summary.elsewhere),
-                     fixedText(summary.mean_ratio, 2), fixedText(summary.p95_ratio, 2),
-                     fixedText(summary.mean_time, 1) + " s"}) +
+                     mean(summary.mean_ratio, 2), mean(summary.p95_ratio, 2), mean(summary.mean_time, 1, " s")}) +
          '\n';
 }
 
@@ -70,7 +72,7 @@ void printLeaders(std::ostream& out, const std::vector<DriveResult>& results) {
 }
 
 /// What became of the answers of a network that leads.
-void printNetwork(std::ostream& out, const std::vector<DriveResult>& results) {
+void printNetwork(std::ostream& out, const std::vector<DriveResult>& results, bool remembers) {
   double regret = 0.0;
   double driven = 0.0;
   for (const DriveResult& result : results) {
@@ -78,10 +80,14 @@ void printNetwork(std::ostream& out, const std::vector<DriveResult>& results) {
     driven += result.path_length;
   }
   out << "of the steps without the goal in sight the network decided "
-      << 100.0 * shareOutOfSight(Leader::kNetwork, results) << " %; of all steps it decided "
-      << 100.0 * shareOnPath(results) << " % along the remembered path, and was overruled by the shield in "
-      << 100.0 * shareOf(Overruled::kByShield, results) << " %, by the bound in "
-      << 100.0 * shareOf(Overruled::kByBound, results) << " %; its detours were "
+      << 100.0 * shareOutOfSight(Leader::kNetwork, results) << " %; of all steps it ";
+  if (remembers) out << "decided " << 100.0 * shareOnPath(results) << " % along the remembered path, and ";
+  out << "was overruled by the shield in " << 100.0 * shareOf(Overruled::kByShield, results) << " %";
+  if (!remembers) {
+    out << "\n";
+    return;
+  }
+  out << ", by the bound in " << 100.0 * shareOf(Overruled::kByBound, results) << " %; its detours were "
       << (driven > 0.0 ? 100.0 * regret / driven : 0.0) << " % of the driven paths\n";
 }
 
@@ -145,7 +151,8 @@ const char* toString(DriveResult::End end) {
   return kNames.at(static_cast<std::size_t>(end));
 }
 
-void printDriveSummary(std::ostream& out, const DriveCourse& course, const DriveResults& results) {
+void printDriveSummary(std::ostream& out, const DriveOptions& options, const DriveCourse& course,
+                       const DriveResults& results) {
   std::size_t width = 5;
   for (const DriveWorld& world : course.worlds) width = std::max(width, world.name.size());
   const TextTable table(leftText("world", width) +
@@ -161,7 +168,7 @@ void printDriveSummary(std::ostream& out, const DriveCourse& course, const Drive
   out << lineOf(table, leftText(course.worlds.size() == 1 ? course.worlds[0].name : "all", width), summarize(all));
   printGoalError(out, all);
   printLeaders(out, all);
-  if (shareOf(Leader::kNetwork, all) > 0.0) printNetwork(out, all);
+  if (shareOf(Leader::kNetwork, all) > 0.0) printNetwork(out, all, options.agent.memory.enabled);
   if (course.is_barn) printBarnScore(out, all);
   if (course.left_out > 0)
     out << "worlds left out, because the robot does not fit into them: " << course.left_out << '\n';

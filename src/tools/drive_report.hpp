@@ -20,7 +20,8 @@ using DriveResults = std::vector<std::vector<DriveResult>>;
 const char* toString(DriveResult::End end);
 
 /// For people: a line a world where there are not too many, and one for all.
-void printDriveSummary(std::ostream& out, const DriveCourse& course, const DriveResults& results);
+void printDriveSummary(std::ostream& out, const DriveOptions& options, const DriveCourse& course,
+                       const DriveResults& results);
 
 nlohmann::json driveJson(const DriveOptions& options, const DriveCourse& course, const DriveResults& results);
 

@@ -184,6 +184,22 @@ TEST_F(DriveTool, RefusesBadOptionsWithASentence) {
       << "what is there does not hide what is not";
 }
 
+TEST_F(DriveTool, ReadsTheModelBeforeItMakesWorlds) {
+  const test::Outcome outcome = drive("--walkers 1 --goals 1 --only 7 --model " + in("none.onnx"));
+  EXPECT_NE(outcome.output.find("none.onnx"), std::string::npos) << outcome.output;
+}
+
+TEST_F(DriveTool, SaysNothingOfWhatThereIsNot) {
+  const test::Outcome outcome = drive("--worlds open --goals 1 --time-limit 5 --no-memory --model " + shippedModel());
+  EXPECT_NE(outcome.output.find("overruled by the shield in"), std::string::npos) << outcome.output;
+  for (const char* said : {"remembered path", "bound", "detours"}) {
+    EXPECT_EQ(outcome.output.find(said), std::string::npos) << outcome.output;
+  }
+  EXPECT_NE(outcome.output.find("      -      -          -\n"), std::string::npos)
+      << "no drive arrived: no path, no time\n"
+      << outcome.output;
+}
+
 TEST_F(DriveTool, TellsMapsOfTheSameNameApart) {
   ASSERT_EQ(runTool("maps --width 8 --height 8 --output " + in("plan")).status, 0);
   const nlohmann::json json =
