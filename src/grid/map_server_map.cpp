@@ -50,7 +50,7 @@ class DescriptionReader {
  public:
   explicit DescriptionReader(const std::string& path) : path_(path) {
     try {
-      root_ = YAML::Load(readWhole("map", path, kLargestDescription));
+      root_ = YAML::Load(readWhole("map's yaml file", path, kLargestDescription));
     } catch (const YAML::Exception& error) {
       throw MapFileError("the map " + path + " cannot be read as yaml: " + error.what());
     }

@@ -115,8 +115,9 @@ int datasetExport(const std::vector<std::string>& arguments) {
   if (extension != ".csv" && extension != ".npz") {
     throw std::invalid_argument("--output is '" + output + "', expected a name that ends in .csv or .npz");
   }
-  if (encoded && (with_scans || extension != ".csv")) {
-    throw std::invalid_argument("--encoded writes no scans, and needs a name that ends in .csv, not '" + output + "'");
+  if (encoded && with_scans) throw std::invalid_argument("--encoded and --scans exclude each other");
+  if (encoded && extension != ".csv") {
+    throw std::invalid_argument("--output is '" + output + "', expected a name that ends in .csv, with --encoded");
   }
   const Dataset dataset = readDataset(file, with_scans);
   std::error_code unknown;

@@ -157,7 +157,7 @@ int runMaps(const std::vector<std::string>& arguments) {
   if (!readOptions(arguments, &options)) return 0;
   if (options.kind == "building") {
     validate(options.plan);
-    checkWritable(options.output + ".yaml");
+    checkWithoutExtension(options.output, {".yaml", ".pgm"});
     writeMapServerMap(options.output, generateFloorPlan(options.plan, options.set.seed));
   } else {
     writeGridMaps(&options);

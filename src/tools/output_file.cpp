@@ -25,6 +25,16 @@ void checkWritable(const std::string& path) {
   }
 }
 
+void checkWithoutExtension(const std::string& path, const std::vector<std::string>& endings) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  for (const std::string& ending : endings) {
+    if (extension == ending) {
+      throw std::invalid_argument("--output is '" + path + "', expected a path without " + ending + ", which is added");
+    }
+    checkWritable(path + ending);
+  }
+}
+
 void makeOutputFolder(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);

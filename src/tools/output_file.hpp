@@ -2,11 +2,16 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace lstm_planner {
 
 /// Throws std::invalid_argument unless the file can be written; its contents stay. Asked before a long run.
 void checkWritable(const std::string& path);
+
+/// Of --output, behind which the endings are put. Throws std::invalid_argument where it has one of them already, and as
+/// checkWritable().
+void checkWithoutExtension(const std::string& path, const std::vector<std::string>& endings);
 
 /// Makes the folder unless it is there. Throws std::invalid_argument unless files can be written into it.
 void makeOutputFolder(const std::string& path);

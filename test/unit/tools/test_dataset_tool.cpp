@@ -92,6 +92,9 @@ TEST_F(DatasetTool, RefusesWhatItCannotDoWithASentence) {
   EXPECT_TRUE(contains(complaint("info"), "--file"));
   EXPECT_TRUE(contains(complaint("info none.db"), "there is no such file"));
   EXPECT_TRUE(contains(complaint("export a.db --output a.txt"), "ends in .csv or .npz"));
+  EXPECT_TRUE(contains(complaint("export a.db --output a.csv --encoded --scans"), "--encoded and --scans exclude"));
+  EXPECT_TRUE(
+      contains(complaint("export a.db --output a.npz --encoded"), "a.npz', expected a name that ends in .csv,"));
   EXPECT_TRUE(contains(complaint("merge a.db --output a.db"), "there is such a file already"));
   EXPECT_TRUE(contains(complaint("split a.db --share 1 --training t.db --validation v.db"), "share"));
   EXPECT_TRUE(contains(complaint("split a.db --training t.db --validation a.db"), "there is such a file already"));

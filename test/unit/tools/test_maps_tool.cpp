@@ -74,6 +74,14 @@ TEST_F(MapsTool, EvaluateHasTheOptimumOfItsRules) {
   EXPECT_NEAR(ratioOf(" --corner-cutting"), ratioOf(""), 0.01) << "A* walks the optimum but for its last cell";
 }
 
+TEST_F(MapsTool, ABuildingsNameHasNoEnding) {
+  const test::Outcome outcome = runTool("maps --output " + in("house.yaml"));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.output.find("house.yaml', expected a path without .yaml, which is added"), std::string::npos)
+      << outcome.output;
+  EXPECT_TRUE(fs::is_empty(in("")));
+}
+
 TEST_F(MapsTool, AnUnknownKindIsRefused) {
   const test::Outcome outcome = runTool("maps --kind jungle --output " + in("jungle"));
   EXPECT_EQ(outcome.status, 2);
