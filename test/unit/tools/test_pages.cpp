@@ -1,7 +1,9 @@
-// The pages' commands of the tool have no option that does not exist, and programs on pages are those that are tested.
+// The pages' commands of the tool have no option that does not exist, programs on pages are those that are tested, and
+// lines of text fit into a terminal.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -51,6 +53,37 @@ INSTANTIATE_TEST_SUITE_P(All, Pages,
                                          "models/onnx.md", "models/recorded_drives.md", "models/structure_search.md",
                                          "models/thesis.md", "test/bench/README.md"),
                          [](const auto& page) { return std::regex_replace(page.param, std::regex(R"(\W)"), "_"); });
+
+/// Of UTF-8.
+std::size_t lettersOf(const std::string& line) {
+  return static_cast<std::size_t>(
+      std::count_if(line.begin(), line.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+}
+
+/// The lines of running text that are too long to be read in a terminal.
+std::string longLinesOf(const fs::path& page) {
+  constexpr std::size_t kMost = 140;
+  std::ifstream file(page);
+  std::string lines;
+  bool is_code = false;
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind("```", 0) == 0) is_code = !is_code;
+    if (!is_code && line.find_first_not_of(' ') != line.find('|') && lettersOf(line) > kMost) lines += line + "\n";
+  }
+  return lines;
+}
+
+TEST(PagesLines, HaveAtMost140Letters) {
+  const fs::path source = LSTM_PLANNER_SOURCE_DIR;
+  std::vector<fs::path> pages{source / "README.md", source / "CHANGELOG.rst"};
+  for (const char* folder : {"config", "launch", "models", "test"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(source / folder)) {
+      if (entry.path().extension() == ".md") pages.push_back(entry.path());
+    }
+  }
+  EXPECT_GT(pages.size(), 15u);
+  for (const fs::path& page : pages) EXPECT_EQ(longLinesOf(page), "") << page;
+}
 
 TEST(EmbedPage, ShowsTheProgramThatIsTested) {
   const fs::path source = LSTM_PLANNER_SOURCE_DIR;
