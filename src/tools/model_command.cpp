@@ -175,8 +175,14 @@ bool readConversion(const std::vector<std::string>& arguments, Conversion* conve
       .default_text = "1";
   line.add("made-by", &conversion->made_by, "how the network was trained; is stored in the file as training_command");
   addRobotOptions(conversion, &line);
-  line.whenParsed([conversion] {
+  line.whenParsed([conversion, &line] {
     Conversion& c = *conversion;
+    if (c.task == "grid") {
+      line.refuseIdle(
+          {"views", "layout", "range-cap", "distance-scale", "angle-scale", "action-scale", "position-cell",
+           "heading-cell", "event-range", "actions", "step-length", "robot-radius", "smallest-robot", "largest-robot"},
+          "with --task grid");
+    }
     if (!c.layout.empty()) c.policy.encoder.input_layout = c.layout;
     if (c.views) c.policy.encoder.views = *c.views;
     if (!c.angles.empty()) {

@@ -176,6 +176,9 @@ TEST_F(CommandLineTool, RefusesOptionsWithoutEffect) {
       {practice + " --path-weight 2", "--path-weight has no effect without --path-share\n"},
       {practice + " --recordings-weight 2", "--recordings-weight has no effect without --recordings\n"},
       {grid + " --momentum 0.9", "--momentum has no effect with --optimiser adam\n"},
+      {"model convert " LSTM_PLANNER_SOURCE_DIR "/models/grid_lstm_2x8.onnx --task grid --step-length 3 --output " +
+           in("own.onnx"),
+       "--step-length has no effect with --task grid\n"},
       {"dataset from-bag a.bag --stop 3 --output " + in("a.db"), "--stop has no effect without --hindsight\n"},
   };
   for (const auto& [use, expected] : uses) EXPECT_TRUE(contains(complaint(use), expected)) << use;
