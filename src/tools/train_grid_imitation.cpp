@@ -65,7 +65,6 @@ bool readImitationOptions(const std::string& method, const std::vector<std::stri
   addOptimiserOptions(&optimiser, &line);
   if (dagger) line.add("rounds", &p.rounds, kAnyCount, "rounds of collecting paths and training for --epochs");
   if (!line.parse(arguments)) return false;
-  if (optimiser.kind == OptimiserKind::kAdam) line.refuseIdle({"momentum"}, "with --optimiser adam");
   if (thesis && !line.given("batch-steps")) p.batch_steps = dataset.sequence_steps;
   p.trainer.epochs = options->epochs;
   p.course.min_length = options->min_length;

@@ -101,11 +101,7 @@ void checkModelDecides(const CommandLine& line) {
   checkModelDecides(line, "--init", {"inputs", "event-range", "position-cell", "heading-cell", "views"});
 }
 
-void finishRobotNetworkOptions(const CommandLine& line, const RobotNetworkOptions& options,
-                               EncoderParameters* encoder) {
-  if (!contains(options.inputs, "events") && !contains(options.inputs, "events-alone")) {
-    line.refuseIdle({"event-range"}, "without events or events-alone among --inputs");
-  }
+void finishRobotNetworkOptions(const RobotNetworkOptions& options, EncoderParameters* encoder) {
   addInputs(options.inputs, encoder);
   if (encoder->views != 1) fitInputsToViews(encoder);
   makeNetwork(static_cast<int>(encoder->input_layout.size()), options.shape, 1);  // throws

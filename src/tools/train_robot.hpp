@@ -47,7 +47,7 @@ void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* enc
 void checkModelDecides(const CommandLine& line);
 
 /// Takes over what was parsed. Throws std::invalid_argument with a sentence for values that make no sense.
-void finishRobotNetworkOptions(const CommandLine& line, const RobotNetworkOptions& options, EncoderParameters* encoder);
+void finishRobotNetworkOptions(const RobotNetworkOptions& options, EncoderParameters* encoder);
 
 void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTrainingOptions* options,
                              CommandLine* line);

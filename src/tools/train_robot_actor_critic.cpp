@@ -52,12 +52,10 @@ bool readPlan(const std::vector<std::string>& arguments, RobotReinforcementPlan*
   addOptions(arguments, plan, &line);
   line.whenParsed([&] {
     if (plan->init.empty()) {
-      finishRobotNetworkOptions(line, plan->network, &p.policy.encoder);
+      finishRobotNetworkOptions(plan->network, &p.policy.encoder);
     } else {
       checkModelDecides(line);
     }
-    if (p.path_share == 0.0) line.refuseIdle({"path-weight"}, "without --path-share");
-    if (plan->recordings.empty()) line.refuseIdle({"recordings-weight"}, "without --recordings");
   });
   if (!line.parse(arguments)) return false;
   if (plan->init.empty() && !line.given("sharpness")) p.sharpness = 1.0;  // there is nothing to sharpen yet

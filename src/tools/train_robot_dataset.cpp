@@ -154,7 +154,7 @@ bool readDatasetTrainingOptions(const std::vector<std::string>& arguments, Datas
     options->loop.keep_last = true;  // by then the best epoch is chosen
     validate(options->training);
     check(line, *options);
-    if (!options->fromModel()) finishRobotNetworkOptions(line, options->network, &options->encoder);
+    if (!options->fromModel()) finishRobotNetworkOptions(options->network, &options->encoder);
   });
   if (!line.parse(arguments)) return false;
   options->loop.settings = line.settings();

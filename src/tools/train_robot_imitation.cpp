@@ -35,7 +35,7 @@ bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* op
   visitImitationParameters(imitation, line.everyParameter());
   addLossOption(&imitation.trainer.loss, &line);
   if (!line.parse(arguments)) return false;
-  finishRobotNetworkOptions(line, options->network, &imitation.policy.encoder);
+  finishRobotNetworkOptions(options->network, &imitation.policy.encoder);
   imitation.shape = options->network.shape;
   imitation.course = options->course;
   imitation.validation_worlds = options->validation;

@@ -160,8 +160,6 @@ TEST_F(CommandLineTool, RefusesWhatHasNoMeaning) {
 
 TEST_F(CommandLineTool, RefusesOptionsWithoutEffect) {
   const std::string model = "--model " LSTM_PLANNER_SOURCE_DIR "/models/create2_lstm.onnx ";
-  const std::string practice = "train --method actor-critic --output " + in("own.onnx");
-  const std::string grid = "train --task grid --method imitation --output " + in("own.onnx");
   const std::pair<std::string, std::string> uses[] = {
       {"drive --worlds open --film-size 800", "--film-size has no effect without --film\n"},
       {"judge --leader route " + model, "--model has no effect with --leader route\n"},
@@ -170,12 +168,6 @@ TEST_F(CommandLineTool, RefusesOptionsWithoutEffect) {
       {"evaluate --scenarios a --agent dstar --no-escape", "--no-escape has no effect with --agent dstar\n"},
       {"evaluate --scenarios a --no-escape --detour-share 1", "--detour-share has no effect without a network under"},
       {"evaluate --scenarios a --draw-after 3", "--draw-after has no effect without --no-escape\n"},
-      {"train --event-range 2 --output " + in("own.onnx"),
-       "--event-range has no effect without events or events-alone among --inputs\n"},
-      {practice + " --event-range 2 --inputs trace", "--event-range has no effect without events"},
-      {practice + " --path-weight 2", "--path-weight has no effect without --path-share\n"},
-      {practice + " --recordings-weight 2", "--recordings-weight has no effect without --recordings\n"},
-      {grid + " --momentum 0.9", "--momentum has no effect with --optimiser adam\n"},
       {"model convert " LSTM_PLANNER_SOURCE_DIR "/models/grid_lstm_2x8.onnx --task grid --step-length 3 --output " +
            in("own.onnx"),
        "--step-length has no effect with --task grid\n"},
