@@ -10,6 +10,7 @@ namespace {
 constexpr double kKept = 1.0;            // s
 constexpr std::size_t kMostKept = 2000;  // entries: where stamps hardly go on, the oldest are forgotten
 constexpr double kContinued = 0.2;       // s
+constexpr double kOvertaken = 0.1;       // s by which a driver that sets its clock right stamps a message too early
 constexpr double kSpeedOver = 0.05;      // s, at least, from which a speed is taken
 constexpr double kLongestDrive = 1.0;    // s that a robot drives without odometry: then its controller stops it
 constexpr double kJumpSlack = 0.25;      // m, what rounding and late stamps may add
@@ -32,6 +33,7 @@ void OdometryHistory::restart() {
 }
 
 void OdometryHistory::add(const Entry& entry) {
+  if (isOvertaken(entry)) return;
   if (!entries_.empty() && !follows(entry)) restart();
   twist_.note(entry.stamp, entry.pose, entry.twist);
   if (!entries_.empty() && entry.stamp == newest().stamp) {
@@ -42,6 +44,10 @@ void OdometryHistory::add(const Entry& entry) {
   while (entries_.front().stamp < entry.stamp - kKept || entries_.size() > kMostKept) {
     entries_.pop_front();
   }
+}
+
+bool OdometryHistory::isOvertaken(const Entry& entry) const {
+  return !entries_.empty() && entry.stamp < newest().stamp && newest().stamp - entry.stamp <= kOvertaken;
 }
 
 bool OdometryHistory::follows(const Entry& entry) const {

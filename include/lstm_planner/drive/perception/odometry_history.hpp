@@ -21,7 +21,8 @@ class OdometryHistory {
   /// `max_speed`: m/s; what moves faster has jumped.
   explicit OdometryHistory(double max_speed) : max_speed_(max_speed) {}
 
-  /// Adds an entry, which must be finite. After a jump of the pose or of the clock the history is empty.
+  /// Adds an entry, which must be finite. After a jump of the pose or of the clock the history is empty. One that is
+  /// stamped a little before the newest is left out.
   void add(const Entry& entry);
 
   /// What comes next is of another frame: counts as a jump, unless there was nothing before.
@@ -42,6 +43,7 @@ class OdometryHistory {
   long jumps() const { return jumps_; }
 
  private:
+  bool isOvertaken(const Entry& entry) const;
   bool follows(const Entry& entry) const;
 
   double max_speed_;

@@ -31,6 +31,16 @@ TEST(OdometryHistory, DoesNotTellASpeedFromTwoMessagesOfABunch) {
   EXPECT_EQ(history.poseAt(0.1).x, 0.01);
 }
 
+/// A board behind a serial line (rosserial) asks for the time now and then, and corrects its clock.
+TEST(OdometryHistory, ForgetsNothingWhenADriverCorrectsItsClock) {
+  OdometryHistory history(1.0);
+  for (const double stamp : {0.0, 0.02, 0.04, 0.03, 0.05}) history.add({stamp, {0.5 * stamp, 0.0, 0.0}, {}});
+  EXPECT_EQ(history.jumps(), 0);
+  EXPECT_NEAR(history.poseAt(0.01).x, 0.005, 1e-9);
+  history.add({-0.06, {}, {}});
+  EXPECT_EQ(history.jumps(), 1) << "the clock was set back";
+}
+
 TEST(OdometryHistory, NoticesThatTheOdometryStartedAgainAfterAPause) {
   OdometryHistory history(1.0);
   history.add({0.0, {4.0, 0.0, 0.0}, {}});
