@@ -20,8 +20,9 @@ class OdometryBase {
   /// `tf` must outlive the object.
   OdometryBase(const tf2::BufferCore& tf, const std::string& base_frame) : tf_(tf), base_frame_(base_frame) {}
 
-  /// The odometry is of this frame; empty: of the base. True if the base is now somewhere else in it. While tf does not
-  /// know it the last place counts, at first that of the frame itself.
+  /// The odometry is of this frame; empty: of the base. True if the base is now somewhere else in it, farther than
+  /// where a body that tilts over its wheels takes it. While tf does not know it the last place counts, at first that
+  /// of the frame itself.
   bool setFrame(const std::string& frame) {
     problem_.clear();
     is_known_ = frame.empty() || frame == base_frame_;
@@ -54,14 +55,18 @@ class OdometryBase {
 
  private:
   bool place(const Pose2& base) {
-    if (!differ(base, base_)) return false;
-    base_ = base;
-    return true;
+    constexpr double kTilts = 0.1;  // m, rad
+    if (differ(base, base_)) base_ = base;
+    const bool is_elsewhere =
+        distanceBetween(base, settled_) > kTilts || std::abs(normalizeAngle(base.yaw - settled_.yaw)) > kTilts;
+    if (is_elsewhere) settled_ = base;
+    return is_elsewhere;
   }
 
   const tf2::BufferCore& tf_;
   std::string base_frame_;
-  Pose2 base_;  ///< in the odometry's child frame
+  Pose2 base_;     ///< in the odometry's child frame
+  Pose2 settled_;  ///< the same when it was somewhere else last
   bool is_known_ = true;
   std::string problem_;
 };

@@ -49,6 +49,19 @@ TEST_F(OdometryBaseTest, ANameThatTfDoesNotKnowIsOfTheBaseUntilItDoes) {
   EXPECT_EQ(base_.poseOf({1.0, 0.0, 0.0}).x, 1.0);
 }
 
+/// As base_link by an IMU: its origin is above base_footprint, and moves over it.
+TEST_F(OdometryBaseTest, ABodyThatTiltsOverItsWheelsHasNotMovedOnThem) {
+  placeCamera({0.3, 0.0, 0.0});
+  EXPECT_TRUE(base_.setFrame("camera"));
+  for (const double aside : {0.005, -0.02, 0.0}) {
+    placeCamera({0.3 + aside, 0.0, 0.1 * aside});
+    EXPECT_FALSE(base_.setFrame("camera"));
+    EXPECT_NEAR(base_.poseOf({0.3 + aside, 0.0, 0.1 * aside}).x, 0.0, 1e-12);
+  }
+  placeCamera({0.45, 0.0, 0.0});
+  EXPECT_TRUE(base_.setFrame("camera")) << "it was placed anew";
+}
+
 TEST_F(OdometryBaseTest, SaysSoIfTheFrameIsTilted) {
   geometry_msgs::TransformStamped down = toMessage(Pose2{0.3, 0.0, 0.0}, "base_footprint", "camera");
   down.transform.rotation.y = std::sin(0.2);
