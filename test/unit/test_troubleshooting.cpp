@@ -74,9 +74,17 @@ TEST(Troubleshooting, TellsOfMessagesThatThereAre) {
 
 TEST(Troubleshooting, TellsOfEveryReasonToStand) {
   const std::string page = contentOf(inSource("launch/troubleshooting.md"));
-  const std::vector<std::string> reasons =
+  std::vector<std::string> reasons =
       found(messageSources(), "throw (?:SensorError|FrameError|PlanRefused|OutdatedPlan|UnusableScan)\\(\"([^\"(]*)");
   EXPECT_GT(reasons.size(), 15u);
+  const std::vector<std::string> refused =
+      found(sourcesIn({"src/ros/common", "src/ros/planner"}), "throw std::invalid_argument\\(\"(the [^\"(]*)");
+  EXPECT_GE(refused.size(), 4u);
+  const std::vector<std::string> too_far =
+      found(contentOf(inSource("src/drive/perception/reach.cpp")), "message << \"([^\"(]*)");
+  EXPECT_EQ(too_far.size(), 2u);
+  reasons.insert(reasons.end(), refused.begin(), refused.end());
+  reasons.insert(reasons.end(), too_far.begin(), too_far.end());
   for (std::string reason : reasons) {
     reason.erase(reason.find_last_not_of(" '") + 1);
     EXPECT_NE(page.find(reason), std::string::npos) << "'" << reason << "' is not in launch/troubleshooting.md";
