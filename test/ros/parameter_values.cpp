@@ -82,7 +82,10 @@ class EveryForm {
     expect(name, static_cast<int>(seed), seed);
     expect(name, static_cast<double>(seed), seed);
   }
-  void expectForms(const std::string& name, bool value, Range) const { expect(name, value, value); }
+  void expectForms(const std::string& name, bool value, Range) const {
+    expect(name, value, value);
+    expect(name, std::string(value ? "true" : "false"), value);
+  }
   void expectForms(const std::string& name, const std::string& value, Range) const {
     expect(name, value, value);
     expect(name, 65, std::string("65"));

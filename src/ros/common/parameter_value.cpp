@@ -81,8 +81,10 @@ std::optional<int> asWholeNumber(XmlRpcValue value) {
 }
 
 std::optional<bool> asTruth(XmlRpcValue value) {
-  if (value.getType() != XmlRpcValue::TypeBoolean) return std::nullopt;
-  return static_cast<bool&>(value);
+  if (value.getType() == XmlRpcValue::TypeBoolean) return static_cast<bool&>(value);
+  const std::string text = asText(value).value_or("");
+  if (text != "true" && text != "false") return std::nullopt;
+  return text == "true";
 }
 
 std::optional<std::string> asText(XmlRpcValue value) {
