@@ -17,7 +17,8 @@ double codeOf(const std::string& word) {
   double code = 0.0;
   if (!(stream >> code) || !stream.eof() || !(code > 0.0 && code <= kGreatestCode)) {
     throw std::invalid_argument("no_return has the word '" + word +
-                                "', expected nan, zero, below, beyond or a reading from above 0 to 10000 m");
+                                "', expected nan, zero, below, beyond or a reading from above 0 to 10000 m; +inf needs "
+                                "no word");
   }
   return code;
 }

@@ -35,8 +35,8 @@ TEST(ScanRules, KeepTheLeastShareWhenTheReadingsAreReadAnew) {
 }
 
 TEST(ScanRules, AreRefusedWithTheWordThatIsNoReading) {
-  EXPECT_THAT(refusal("nan infinite"),
-              HasSubstr("the word 'infinite', expected nan, zero, below, beyond or a reading"));
+  EXPECT_THAT(refusal("nan infinite"), HasSubstr("the word 'infinite', expected nan, zero, below, beyond or a reading "
+                                                 "from above 0 to 10000 m; +inf needs no word"));
   EXPECT_THAT(refusal("-1"), HasSubstr("'-1'"));
   EXPECT_THAT(refusal("65.53m"), HasSubstr("'65.53m'"));
   EXPECT_THAT(refusal("65.53 82"), HasSubstr("expected one number at most"));
