@@ -192,7 +192,7 @@ MotionCommand MotionController::compute(const MotionSituation& situation, const 
                                         const std::vector<Point2>& resting, const MotionHistory& history) const {
   const auto& [plan, pose, current, shield, period] = situation;
   if (plan.empty()) return {{}, StopReason::kNoPlan};
-  if (!isFinite(pose)) return {{}, StopReason::kUnusableData};
+  if (!isFinite(pose) || !(period >= kShortestPeriod)) return {{}, StopReason::kUnusableData};
   const Persons persons(shield.footprint(), yieldingReach(shield.footprintRadius()), moving, resting);
   const Moment now{situation, persons, history, (history.has_stood ? kNarrowMargin : 1.0) * parameters_.safety_margin};
   const MotionCommand command = choose(now, moving);
@@ -571,7 +571,7 @@ MotionCommand MotionController::evade(const MotionCommand& command, const Motion
                                       const MotionHistory& history) const {
   const auto& [plan, pose, current, shield, period] = situation;
   if (parameters_.evade_time <= 0.0 || things.empty() || plan.empty()) return command;
-  if (command.stop == StopReason::kUnusableData) return command;
+  if (command.stop == StopReason::kUnusableData || !(period >= kShortestPeriod)) return command;
   const Evasion evasion(parameters_, reaction_time_, shield, things, current);
   const Outlook wanted = evasion.withCommand(command);
   if (wanted.room >= parameters_.evade_margin) return command;

@@ -30,6 +30,7 @@ std::vector<Pose2> startOf(const std::vector<Pose2>& plan, const Pose2& pose) {
 
 MotionCommand PathTracker::compute(const std::vector<Pose2>& plan, const Situation& situation, const Twist2& twist,
                                    const Shield& shield, double period) {
+  if (!(period >= kShortestPeriod)) return {{}, StopReason::kUnusableData};
   moving_.show(situation);
   if (!shield.footprint().isCircle()) lookBack(plan, situation, shield);
   const MotionSituation motion{plan, situation.pose, twist, shield, period};

@@ -121,13 +121,16 @@ struct MotionCommand : Twist2 {
   bool goes_back = false;  ///< it retraces the path that it came
 };
 
+/// s; nobody asks for commands more often.
+constexpr double kShortestPeriod = 0.001;
+
 /// What a command is for.
 struct MotionSituation {
   const std::vector<Pose2>& plan;  ///< in the frame of `pose`
   const Pose2 pose;
   const Twist2 current;  ///< measured
   const Shield& shield;  ///< has been shown the latest scan
-  const double period;   ///< s, to the next command
+  const double period;   ///< s, to the next command; kShortestPeriod or more
 };
 
 /// What was commanded before, and the path that a robot with corners came (Trail).
@@ -138,7 +141,8 @@ struct MotionHistory {
   bool has_stood = false;              ///< for so long that two thirds of the safety margin must do
   bool gets_out = false;               ///< `back` is of a planned way out, which it is to follow
 
-  /// Adds a command. Keeps those that may not have reached the wheels yet, which takes up to `time` s.
+  /// Adds a command. Keeps those that may not have reached the wheels yet, which takes up to `time` s. `period`: as in
+  /// MotionSituation.
   void note(const Twist2& command, double time, double period);
 };
 
@@ -156,10 +160,11 @@ struct MotionHistory {
 /// robot can also get out of the way (evade()).
 class MotionController {
  public:
+  /// Throws as validate().
   explicit MotionController(const MotionParameters& parameters);
 
   /// The next command. `moving` are points of things that move, base frame, `resting` of things that have moved and
-  /// stand (MovingReturns). Zero for an empty plan.
+  /// stand (MovingReturns). Zero for an empty plan, and for a pose, plan or period that cannot be used (kUnusableData).
   MotionCommand compute(const MotionSituation& situation, const std::vector<Point2>& moving = {},
                         const std::vector<Point2>& resting = {}, const MotionHistory& history = {}) const;
 

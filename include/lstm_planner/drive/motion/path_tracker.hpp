@@ -24,7 +24,7 @@ class PathTracker {
   }
 
   /// The next command along a plan in the odometry frame, `period` s before the one after it. `shield` shows the
-  /// situation's obstacles, `twist` is the measured one. Zero for an empty plan.
+  /// situation's obstacles, `twist` is the measured one. Zero as MotionController::compute().
   MotionCommand compute(const std::vector<Pose2>& plan, const Situation& situation, const Twist2& twist,
                         const Shield& shield, double period);
 

@@ -297,6 +297,7 @@ TEST_F(MotionControllerTest, SaysWhyItDoesNotDrive) {
   EXPECT_EQ(controller_.compute({{}, {}, {}, shield_, kPeriod}).stop, StopReason::kNoPlan);
   EXPECT_EQ(controller_.compute({plan, {5.0, 0.0, 0.0}, {}, shield_, kPeriod}).stop, StopReason::kArrived);
   EXPECT_EQ(controller_.compute({plan, {kNan, 0.0, 0.0}, {}, shield_, kPeriod}).stop, StopReason::kUnusableData);
+  EXPECT_EQ(controller_.compute({plan, {}, {}, shield_, 0.0}).stop, StopReason::kUnusableData);
   EXPECT_EQ(controller_.compute({plan, {}, {}, shield_, kPeriod}, person).stop, StopReason::kPerson);
   EXPECT_EQ(controller_.compute({plan, {}, {0.3, 0.0}, shield_, kPeriod}, person).stop, StopReason::kPerson);
   shield_.show({{kRadius + 0.02, 0.0}});

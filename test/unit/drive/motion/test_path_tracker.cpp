@@ -50,6 +50,18 @@ TEST_F(PathTrackerTest, GivesUpAfterThePatience) {
   EXPECT_EQ(follow(0.0, 1.0), StopReason::kStuck);
 }
 
+/// As of a program that asks twice at one time. It once took minutes, and all memory.
+TEST_F(PathTrackerTest, StandsWhereItCannotBeAskedSoOften) {
+  situation_.obstacles.clear();
+  shield_.show({});
+  for (const double period : {0.0, -0.1, 1e-9, std::nan("")}) {
+    const MotionCommand command = tracker_.compute({{}, {3.0, 0.0, 0.0}}, situation_, {}, shield_, period);
+    EXPECT_EQ(command.stop, StopReason::kUnusableData) << period;
+    EXPECT_EQ(command.linear, 0.0) << period;
+  }
+  EXPECT_EQ(follow(0.0, kPeriod), StopReason::kNone);
+}
+
 TEST_F(PathTrackerTest, TriesAgainWhenThePlanLeadsAnotherWay) {
   ASSERT_EQ(follow(0.0, kPatience + 0.5), StopReason::kStuck);
   EXPECT_EQ(follow(0.9, kPeriod), StopReason::kStuck) << "less than 1 rad is not another way";
