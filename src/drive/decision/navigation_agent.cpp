@@ -173,6 +173,7 @@ void NavigationAgent::restart() {
 }
 
 const Decision& NavigationAgent::decide() {
+  checkGoal(situation_.pose, goal_);
   if (decision_.choice == Move::kNoPath) {
     return decision_;
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lstm_planner/drive/perception/reach.hpp"
+
 namespace lstm_planner {
 
 namespace {
@@ -48,6 +50,7 @@ void DriftCorrection::restart() {
 
 void DriftCorrection::correct(Situation* situation) {
   const Pose2 odometry = situation->pose;
+  checkPose(odometry);
   const bool turns_fast = turnRate(*situation) > kFastestTurn;
   if (keys_.empty() || isDue(odometry, turns_fast)) {
     surfaces_.show(situation->profile);

@@ -71,7 +71,7 @@ class NavigationAgent {
   }
 
   /// Decides in the situation that was perceived last: decision(). A new step if the last one is over or its path is
-  /// blocked. The goal must be within reach (checkGoal), as GoalChanges makes sure.
+  /// blocked. Throws std::invalid_argument for a goal out of reach (checkGoal); GoalChanges refuses it before.
   const Decision& decide();
 
   /// What decide() would answer for a goal that has just been set. Does not change what decide() depends on. Throws

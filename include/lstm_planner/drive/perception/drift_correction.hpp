@@ -24,7 +24,8 @@ class DriftCorrection {
   /// 32 bytes a beam each: 7 MB with 1,081 beams.
   static constexpr std::size_t kMostKeyScans = 200;
 
-  /// The pose of `situation`, which is that of the odometry, becomes the corrected one.
+  /// The pose of `situation`, which is that of the odometry, becomes the corrected one. Throws std::invalid_argument
+  /// when it is out of reach (checkPose).
   void correct(Situation* situation);
 
   /// The odometry jumped: forgets all.

@@ -36,6 +36,10 @@ TEST_F(NavigationReach, RefusesAGoalThatIsTooFarAway) {
   EXPECT_EQ(refusalOf([&] { tell({goal.x, goal.y}, true); }), sentence);
   EXPECT_EQ(refusalOf([&] { agent_.preview(goal); }), sentence);
   EXPECT_NE(refusalOf([&] { tell({std::numeric_limits<double>::quiet_NaN(), 0.0}, true); }), "");
+  agent_.setGoal(goal);
+  EXPECT_EQ(refusalOf([&] { agent_.decide(); }), sentence);
+  agent_.setGoal({std::numeric_limits<double>::quiet_NaN(), 0.0});
+  EXPECT_NE(refusalOf([&] { agent_.decide(); }), "");
 }
 
 TEST_F(NavigationReach, TakesAGoalThatWasTooFarAwayForNewWhenItCanBeDrivenTo) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "lstm_planner/drive/perception/drift_correction.hpp"
@@ -85,6 +86,16 @@ TEST(DriftCorrection, BeginsAnewAfterAJump) {
   EXPECT_EQ(robot.correction().correction().x, 0.0);
   robot.move(0.0, 0.2);
   EXPECT_EQ(robot.error(), robot.odometryError()) << "there is nothing to match with";
+}
+
+/// Its first scan would otherwise be kept as taken from nowhere, and nothing be matched any more.
+TEST(DriftCorrection, RefusesAPoseThatIsNotFinite) {
+  DriftingRobot robot(kRoom, {2.0, 1.2, 0.0}, 1.05, 1.0);
+  Situation nowhere;
+  nowhere.pose.x = NAN;
+  EXPECT_THROW(robot.correction().correct(&nowhere), std::invalid_argument);
+  for (int i = 0; i < 15; ++i) robot.move(0.0, 0.2);
+  EXPECT_LT(robot.correction().correction().x, -0.1);
 }
 
 TEST(DriftCorrection, WaitsWhileTheRobotTurnsFast) {
