@@ -1,4 +1,6 @@
 include(CMakeFindDependencyMacro)
 find_dependency(Eigen3)
 find_dependency(nlohmann_json)
+find_dependency(OpenCV COMPONENTS core)
+find_dependency(Threads)
 include(${CMAKE_CURRENT_LIST_DIR}/lstm_planner-targets.cmake)

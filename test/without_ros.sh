@@ -7,7 +7,7 @@ usage() {
 Usage: bash test/without_ros.sh
 
 Builds the libraries and the tool with LSTM_PLANNER_WITH_ROS=OFF and warnings as errors, installs them, moves what was
-installed, and uses it there: the tool, the program of test/consumer, and each public header alone. All in a folder that
+installed, and uses it there: the tool, the programs of test/consumer, and each public header alone. All in a folder that
 is removed afterwards. The packages that it needs are in models/embed.md. Takes 8 minutes on two cores.
 
 Exit status: 0 when everything passed.
