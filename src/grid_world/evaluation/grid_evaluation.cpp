@@ -76,6 +76,10 @@ std::vector<double> ofArrived(const std::vector<GridEpisode>& episodes, const Va
 
 std::vector<GridEpisode> evaluateGridTasks(const GridTaskSet& set, std::size_t first, std::size_t last,
                                            const GridAgentMaker& make_agent, const GridEvaluationOptions& options) {
+  if (first > last || last > set.tasks.size()) {
+    throw std::invalid_argument("the tasks from " + std::to_string(first) + " to " + std::to_string(last) +
+                                " are to be run, expected a range of the set's " + std::to_string(set.tasks.size()));
+  }
   const int threads = std::max(1, options.threads);
   const std::vector<Batch> batches = batchesOf(set, first, last, static_cast<std::size_t>(threads));
   RangeTables tables(set);

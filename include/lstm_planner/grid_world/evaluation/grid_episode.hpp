@@ -56,9 +56,9 @@ struct GridEpisode {
   double ratio() const;
 };
 
-/// Runs `agent` from `start` to `goal` in a map with the given ranges. Writes the visited cells to `path`, if it is
-/// given. Throws std::invalid_argument for a start that is blocked or outside, and std::logic_error for a decision that
-/// is not a direction.
+/// Runs `agent` from `start` to `goal` in a map; `ranges` must be those of that map. Writes the visited cells to
+/// `path`, if it is given. Throws std::invalid_argument for a start that is blocked or outside, and std::logic_error
+/// for a decision that is not a direction.
 GridEpisode runGridEpisode(const PassableGrid& grid, const RangeTable& ranges, CellIndex start, CellIndex goal,
                            const GridEpisodeRules& rules, GridAgent* agent, std::vector<CellIndex>* path = nullptr);
 

@@ -26,6 +26,7 @@ struct GridEvaluationOptions {
 
 /// Runs the tasks [first, last) of a set, each with an agent of its own, and returns their episodes in this order.
 /// Except for the times, they depend neither on the number of threads nor on how the tasks are split into ranges.
+/// Throws std::invalid_argument for a range that the set does not have.
 std::vector<GridEpisode> evaluateGridTasks(const GridTaskSet& set, std::size_t first, std::size_t last,
                                            const GridAgentMaker& make_agent, const GridEvaluationOptions& options);
 

@@ -108,6 +108,13 @@ TEST(GridEvaluation, CanBeSplitIntoRangesOfTasks) {
   EXPECT_EQ(results(whole), results(parts));
 }
 
+TEST(GridEvaluation, RefusesTasksThatTheSetDoesNotHave) {
+  const GridTaskSet set = randomSet(1, 3);
+  EXPECT_THROW(evaluateGridTasks(set, 0, 4, makerOf("greedy"), {}), std::invalid_argument);
+  EXPECT_THROW(evaluateGridTasks(set, 2, 1, makerOf("greedy"), {}), std::invalid_argument);
+  EXPECT_TRUE(evaluateGridTasks(set, 3, 3, makerOf("greedy"), {}).empty());
+}
+
 TEST(GridEvaluation, TellsTheShareDoneUpToTheWhole) {
   const GridTaskSet set = randomSet(1, 8);
   std::vector<double> shares;
