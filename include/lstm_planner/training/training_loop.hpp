@@ -62,8 +62,10 @@ class TrainingHost {
 
 /// Which files a training writes, and when.
 struct TrainingLoopOptions {
-  std::string checkpoint;            ///< file to write, and to continue from if it exists; empty: none
-  nlohmann::json settings;           ///< what else the result depends on; see TrainingCheckpoint
+  std::string checkpoint;  ///< file to write, and to continue from if it exists; empty: none
+  /// An object with what else the result depends on (shape, maps, seed ...): a training with other settings cannot
+  /// continue from the checkpoint.
+  nlohmann::json settings = nlohmann::json::object();
   std::string output;                ///< the file to which the host writes networks
   bool keep_last = false;            ///< the network at the end is kept, with any score
   bool keep_later = false;           ///< of networks with the same score, the later one is kept
@@ -79,8 +81,9 @@ struct TrainingOutcome {
 /// Trains until the training is done, or until the host wants a stop, which takes effect after the step. The network is
 /// judged whenever that is due, and the best is kept. At a stop it is judged, too, if there is no checkpoint or no
 /// network was kept before. Continues from the checkpoint as if there had been no stop; the best score so far counts
-/// unless its output file is gone or has another name now. Throws as readTrainingCheckpoint() and
-/// writeTrainingCheckpoint(), and what training and host throw.
+/// unless its output file is gone or has another name now. Throws std::invalid_argument for a file that is not a
+/// checkpoint, is truncated, or was made with other settings; std::runtime_error when none can be written; and what
+/// training and host throw.
 TrainingOutcome runTraining(const TrainingLoopOptions& options, SteppedTraining* training, TrainingHost* host);
 
 }  // namespace lstm_planner

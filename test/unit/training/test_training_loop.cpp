@@ -286,6 +286,18 @@ TEST_F(TrainingLoop, WritesCheckpointsBetweenJudgementsWhenTimeHasPassed) {
   EXPECT_EQ(stepsInCheckpoint(), 2);
 }
 
+TEST_F(TrainingLoop, GoesOnWithoutSettings) {
+  options_.settings = TrainingLoopOptions().settings;
+  Toy first;
+  Host stopping(first, in("model"));
+  stopping.stop_after_ = 5;
+  runTraining(options_, &first, &stopping);
+  Toy second;
+  Host resuming(second, in("model"));
+  runTraining(options_, &second, &resuming);
+  EXPECT_TRUE(resuming.resumed_);
+}
+
 TEST_F(TrainingLoop, RefusesProgressThatIsNone) {
   Toy training;
   std::ofstream(in("model")) << "there";
