@@ -49,11 +49,12 @@ struct MemoryOutcome {
   MemoryNetwork network;
   std::size_t weights = 0;
   std::vector<std::vector<double>> accuracies;  ///< by delay, then by seed; 0.5 is chance
-  /// firstStepSensitivity() of the network of the first seed: with initial weights, and after training on
-  /// `shown_delay`.
+  /// How much the units of the first layer (rows) depend at each step (columns) on the inputs of the first step: length
+  /// of the derivative, root of the mean square over sequences. Of the network of the first seed with initial weights,
+  /// and after training on `shown_delay`.
   Eigen::MatrixXd before;
   Eigen::MatrixXd after;
-  /// spectralRadius() of the same; 0 for an LSTM.
+  /// Largest absolute eigenvalue of the recurrent weights of the same; 0 for an LSTM.
   double radius_before = 0.0;
   double radius_after = 0.0;
 };

@@ -170,7 +170,7 @@ class MotionController {
 
   /// That command, or one that gets out of the way of `things` (base frame) where they would come too near if they and
   /// the robot went on so. If there is no way out it does not drive towards a touch. It backs away, straight, only as
-  /// far as `free_behind` (m): seenFreeBehind().
+  /// far as `free_behind` (m): what the scan shows free there.
   MotionCommand evade(const MotionCommand& command, const MotionSituation& situation,
                       const std::vector<MovingThing>& things, double free_behind = 0.0,
                       const MotionHistory& history = {}) const;
