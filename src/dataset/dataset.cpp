@@ -20,15 +20,17 @@ constexpr int kPatience = 10000;  // ms; a writer has the file locked for some m
 
 void writeRows(const Dataset& dataset, DatasetFile* file) {
   DatasetRows rows(file);
+  StepCheck check;
   long recording_id = 0;
   long episode_id = 0;
   for (const Recording& recording : dataset.recordings) {
     rows.addRecording(++recording_id, recording.description);
     rows.setRejections(recording_id, recording.rejections);
     for (const RecordedEpisode& episode : recording.episodes) {
+      checkRow(episode.episode);
       rows.addEpisode(++episode_id, recording_id, episode.episode);
       for (const DriveStep& step : episode.steps) {
-        checkRow(step, recording.description.parameters.action_angles.size());
+        check(step, recording.description.parameters.action_angles.size());
         rows.addStep(episode_id, step);
       }
     }

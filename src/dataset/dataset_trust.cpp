@@ -120,15 +120,19 @@ void checkTable(Poco::Data::Session& session, const std::vector<SchemaColumn>& c
   if (!wrong.isNull()) refuse(session, columns, wrong.value());
 }
 
+void checkNumber(const std::string& name, double value) {
+  if (std::abs(value) <= kLargestNumber) return;
+  std::ostringstream sentence;
+  sentence << "its " << name << " is " << value << ", expected a number from -" << kLargestNumber << " to "
+           << kLargestNumber;
+  throw std::invalid_argument(sentence.str());
+}
+
 void checkNumbers(const DriveStep& step) {
   visitColumns(step, [&](const std::string& name, const char*, const auto& number) {
     const double value = static_cast<double>(number);
     const bool is_missing = name.rfind("minimum_range_", 0) == 0 && std::isinf(value) && value > 0.0;
-    if (std::abs(value) <= kLargestNumber || is_missing) return;
-    std::ostringstream sentence;
-    sentence << "its " << name << " is " << value << ", expected a number from -" << kLargestNumber << " to "
-             << kLargestNumber;
-    throw std::invalid_argument(sentence.str());
+    if (!is_missing) checkNumber(name, value);
   });
 }
 
@@ -167,6 +171,29 @@ void checkRow(const ScanGeometry& geometry) {
   const double somewhere = std::clamp(1.0, geometry.range_min, geometry.range_max);
   std::fill(scan.ranges.begin(), scan.ranges.end(), static_cast<float>(somewhere));
   averageSectors(scan, geometry.mount, {}, 1.0);
+}
+
+void checkRow(const Episode& episode) {
+  checkNumber("goal_x", episode.goal.pose.x);
+  checkNumber("goal_y", episode.goal.pose.y);
+  checkNumber("goal_yaw", episode.goal.pose.yaw);
+  checkNumber("begun", episode.begun);
+  checkNumber("ended", episode.ended);
+}
+
+void StepCheck::operator()(const DriveStep& step, std::size_t angles) {
+  checkRow(step, angles);
+  for (const auto* counts : {&step.beams, &step.measured}) {
+    const int least = *std::min_element(counts->begin(), counts->end());
+    if (least < 0) throw std::invalid_argument("a sector has " + std::to_string(least) + " beams, expected 0 or more");
+  }
+  if (!step.ranges.empty() && step.ranges.size() != static_cast<std::size_t>(step.geometry.beams)) {
+    throw std::invalid_argument("its scan has " + std::to_string(step.ranges.size()) + " ranges, expected " +
+                                std::to_string(step.geometry.beams) + " as in its geometry");
+  }
+  if (geometry_ && *geometry_ == step.geometry) return;
+  checkRow(step.geometry);
+  geometry_ = step.geometry;
 }
 
 void checkRow(const DriveStep& step, std::size_t angles) {

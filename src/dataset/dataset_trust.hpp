@@ -3,6 +3,7 @@
 #include <Poco/Data/Session.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "lstm_planner/dataset/dataset.hpp"
@@ -25,7 +26,18 @@ void checkValues(Poco::Data::Session& session);
 
 void checkRow(const ScanGeometry& geometry);
 
+void checkRow(const Episode& episode);
+
 /// `angles`: the number of allowed angles of its recording.
 void checkRow(const DriveStep& step, std::size_t angles);
+
+/// The same for steps that are to be written, with their geometries: of a file's, checkValues() sees more.
+class StepCheck {
+ public:
+  void operator()(const DriveStep& step, std::size_t angles);
+
+ private:
+  std::optional<ScanGeometry> geometry_;  ///< of the last step: it is the same for many
+};
 
 }  // namespace lstm_planner

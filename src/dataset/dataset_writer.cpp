@@ -108,6 +108,7 @@ class DatasetWriter::Implementation {
 
   void startEpisode(const Episode& episode) {
     checkRunning();
+    checkRow(episode);
     last_number_ = -1;
     has_episode_ = true;
     is_kept_ = waiting_.size() < kMostEntries;
@@ -125,7 +126,7 @@ class DatasetWriter::Implementation {
       throw std::invalid_argument("step " + std::to_string(step.number) + " was added after step " +
                                   std::to_string(last_number_) + " of the same episode");
     }
-    checkRow(step, angles_);
+    check_(step, angles_);
     last_number_ = step.number;
     if (!is_kept_ || waiting_steps_ >= kMostWaiting) {
       ++lost_;
@@ -139,6 +140,9 @@ class DatasetWriter::Implementation {
   void endEpisode(double stamp, EpisodeEnd end) {
     checkRunning();
     if (!has_episode_) throw std::logic_error("an episode was ended before one was started");
+    Episode ended;
+    ended.ended = stamp;
+    checkRow(ended);
     has_episode_ = false;
     if (is_kept_) later([id = next_episode_ - 1, stamp, end](DatasetRows* rows) { rows->endEpisode(id, stamp, end); });
     write();
@@ -243,6 +247,7 @@ class DatasetWriter::Implementation {
   }
 
   const std::size_t angles_;
+  StepCheck check_;
   std::optional<DatasetLock> lock_;
   std::optional<DatasetFile> file_;
   std::optional<DatasetRows> rows_;

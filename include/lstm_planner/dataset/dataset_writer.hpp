@@ -15,8 +15,8 @@ namespace lstm_planner {
 /// order; problem() says so. The file may be read at any time. PATH.lock beside it keeps other writers away.
 ///
 /// The calls of StepSink throw only for errors that no recorder makes: std::logic_error for a step or an end without an
-/// episode, or after finish(); std::invalid_argument for a step whose number does not increase in its episode, or with
-/// a number or label that readDataset() would refuse. Not thread safe.
+/// episode, or after finish(); std::invalid_argument for a step whose number does not increase in its episode, and for
+/// a step, scan or episode that readDataset() would refuse. Not thread safe.
 class DatasetWriter : public StepSink {
  public:
   /// Throws DatasetError if the file cannot be made, is not a dataset, or is open in another writer.

@@ -168,7 +168,19 @@ TEST_F(DatasetStore, RefusesAStepThatNoRecorderMakes) {
   broken = episode.steps[1];
   broken.label = 5;
   EXPECT_THROW(writer.addStep(broken), std::invalid_argument) << "could not be read again";
+  broken = episode.steps[1];
+  broken.geometry.beams = 1;
+  EXPECT_THROW(writer.addStep(broken), std::invalid_argument) << "another number of beams than ranges";
+  broken.ranges.clear();
+  EXPECT_THROW(writer.addStep(broken), std::invalid_argument) << "no scan ahead";
+  broken = episode.steps[1];
+  broken.measured[0] = -1;
+  EXPECT_THROW(writer.addStep(broken), std::invalid_argument);
   writer.addStep(episode.steps[1]);
+  EXPECT_THROW(writer.endEpisode(std::nan(""), EpisodeEnd::kArrived), std::invalid_argument);
+  Episode nowhere = episode.episode;
+  nowhere.goal.pose.yaw = std::nan("");
+  EXPECT_THROW(writer.startEpisode(nowhere), std::invalid_argument);
   writer.finish();
   EXPECT_THROW(writer.addStep(episode.steps[1]), std::logic_error) << "after the end";
 }
