@@ -11,7 +11,7 @@ namespace lstm_planner {
 /// naming the file, the line and what was expected.
 class CsvFile {
  public:
-  /// The file must have `columns`. It may have `optional_columns`; see has().
+  /// The file must have `columns`, at least one. It may have `optional_columns`; see has().
   CsvFile(const std::string& path, const std::vector<std::string>& columns,
           const std::vector<std::string>& optional_columns = {});
 

@@ -40,7 +40,8 @@ enum class WorldUse { kTraining, kValidation, kJudging };
 std::uint64_t worldSeed(WorldUse use, std::uint64_t seed, std::uint64_t number);
 
 // The generators of these worlds, besides the floor plans of floor_plan.hpp. The same parameters and seed give the same
-// world on every machine, its lower left corner at (0, 0), closed by a wall.
+// world on every machine, its lower left corner at (0, 0), closed by a wall. Not all parameters are checked: sizes and
+// radii must be above 0, and shares and probabilities in [0, 1].
 
 /// A maze of corridors at right angles, perfect (exactly one path between any two places) or with loops.
 struct MazeWorldParameters {

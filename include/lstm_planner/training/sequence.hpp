@@ -45,7 +45,7 @@ int sequencesWithSteps(int steps, const std::vector<Sequence>& sequences);
 
 /// Throws std::invalid_argument with one sentence naming `name`, the sequence and the step if a sequence is empty, if
 /// its parts differ in length, if there are not `inputs` features, if a value is not finite, if a weight is negative,
-/// or if a label is not one of `outputs` classes.
+/// or if a label of a step with a weight is not one of `outputs` classes.
 void validateSequences(const std::vector<Sequence>& sequences, int inputs, int outputs, const std::string& name);
 
 }  // namespace lstm_planner

@@ -20,6 +20,7 @@ Observation observe(const Situation& situation, const Point2& goal, double previ
 /// What a recorder remembers of a drive, as the agent would: obstacles and places.
 class Observer {
  public:
+  /// Parameters that validate() accepts.
   explicit Observer(const AgentParameters& parameters)
       : parameters_(parameters), replanner_(parameters.memory, parameters.shield) {}
 

@@ -26,7 +26,7 @@ class LocalMap {
   static constexpr int kSide = ObstacleWindow::kSide;                ///< squares a side of a cell
   static constexpr int kCellSquares = ObstacleWindow::kCellSquares;  ///< squares of a cell
 
-  /// Throws as validate(AgentParameters) for parameters that do not fit together.
+  /// Of AgentParameters that validate() accepts. Throws as footprintOf().
   LocalMap(const MemoryParameters& parameters, const ShieldParameters& shield);
 
   /// Nothing is known any more.
