@@ -98,10 +98,11 @@ GridCourse::GridCourse(const GridCourseParameters& parameters, const std::vector
                        int threads)
     : parameters_(parameters), random_(seed) {
   validate(parameters);
-  if (sets.empty()) throw std::invalid_argument("there are no training maps, expected at least one");
+  if (sets.empty()) throw std::invalid_argument("there are no maps to learn or to validate on, expected at least one");
   const int goals = std::max(1, parameters.goals / static_cast<int>(sets.size()));
   for (const Set& set : sets) {
-    if (set.empty()) throw std::invalid_argument("a set of training maps is empty, expected at least one map");
+    if (set.empty())
+      throw std::invalid_argument("a set of maps to learn or to validate on is empty, expected at least one map");
     CourseSet course;
     const std::size_t copies = parameters.mirrored ? 2 : 1;
     course.maps.resize(set.size() * copies);
@@ -141,7 +142,7 @@ std::shared_ptr<const CourseGoal> GridCourse::makeGoal(const CourseSet& set, Ran
     goal->starts = drawStarts(*map, goal->distances, parameters_, random);
     if (!goal->starts.empty()) return goal;
   }
-  throw std::invalid_argument("no path of the wanted length was found on the training maps");
+  throw std::invalid_argument("no path of the wanted length was found on the maps");
 }
 
 /// One draw of `random`, also where there is one set only, which uniformIndex() does not promise.
