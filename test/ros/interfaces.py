@@ -61,13 +61,13 @@ def topics_of_an_action(verb, name, action):
 
 
 def told(node):
-    """What the page says of a node. Types of packages that are not installed here are left out."""
+    """What the page says of a node. Types of packages that are not installed here are left out; * is any type."""
     namespace = NAMESPACES.get(node, "")
     for head, rows in tables_of_the_page():
         if head[1:3] != ["name", "type"] or head[0].split(",")[0] != node:
             continue
         for verb, names, message_type, *_ in rows:
-            if not is_installed(message_type):
+            if message_type != "*" and not is_installed(message_type):
                 continue
             for name in re.findall(r"`([^`]+)`", names):
                 name = name.replace("~", "/%s/" % node) if name.startswith("~") else name
