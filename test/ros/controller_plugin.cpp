@@ -127,6 +127,16 @@ TEST_F(ControllerTest, StandsWhenThePlanIsNotRenewed) {
   EXPECT_TRUE(computeAt(robot_.pose()));
 }
 
+TEST_F(ControllerTest, StandsAfterAJumpOfTheOdometryUntilThereIsANewPlan) {
+  EXPECT_TRUE(controller_->setPlan(straightPlan("odom", {}, 3.0)));
+  EXPECT_TRUE(computeAt(robot_.pose()));
+  robot_.moveTo({3.0, 0.0, 0.0}, 0.05);
+  expectStands("the odometry has jumped since the plan was made", [&] { robot_.again(); });
+  EXPECT_FALSE(controller_->isGoalReached()) << "it is where the old plan ends";
+  controller_->setPlan(straightPlan("odom", robot_.pose(), 3.0));
+  EXPECT_TRUE(computeAt(robot_.pose()));
+}
+
 TEST_F(ControllerTest, FollowsAPlanInAnotherFrame) {
   Plan plan;
   for (const auto& pose : straightPlan("odom", {}, 3.0)) {

@@ -82,12 +82,15 @@ void PlanFollower::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) 
   }
   plan_ = std::move(poses);
   plan_time_ = ros::Time::now();
+  plan_jumps_.reset();
 }
 
 MotionCommand PlanFollower::compute() {
   const ros::Time now = ros::Time::now();
   const SensorReading reading = sensors_.read(now);
   checkPlanAge(now);
+  if (!plan_jumps_) plan_jumps_ = reading.jumps;
+  if (*plan_jumps_ != reading.jumps) throw OutdatedPlan("the odometry has jumped since the plan was made");
   const Pose2 odometry_from_plan = odometryFromPlan(reading.odometry_frame, now);
   std::vector<Pose2> odometry_plan;
   for (const Pose2& pose : plan_) odometry_plan.push_back(compose(odometry_from_plan, pose));
@@ -142,6 +145,7 @@ bool PlanFollower::goalReached() {
   }
   const ros::Time now = ros::Time::now();
   const SensorReading reading = sensors_.read(now);
+  if (plan_jumps_ && *plan_jumps_ != reading.jumps) return false;
   const Pose2 goal = compose(odometryFromPlan(reading.odometry_frame, now), plan_.back());
   return tracker_.goalReached(reading.newest_pose, goal);
 }

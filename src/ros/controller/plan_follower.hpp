@@ -4,6 +4,7 @@
 #include <ros/time.h>
 #include <tf2_ros/buffer.h>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -84,12 +85,13 @@ class PlanFollower {
 
   ros::Time plan_time_;  ///< when the plan was set
   std::string plan_frame_;
-  std::vector<Pose2> plan_;     ///< plan's frame
-  Situation seen_;              ///< by the scans of the current call
-  std::vector<Point2> marked_;  ///< of the costmap, not of the scans; base frame, m
-  double speed_ = 0.0;          ///< m/s
-  double told_delay_ = 0.0;     ///< s, of the base; the longest that was said
-  long jumps_ = 0;              ///< of the odometry, until the last call
+  std::vector<Pose2> plan_;         ///< plan's frame
+  Situation seen_;                  ///< by the scans of the current call
+  std::vector<Point2> marked_;      ///< of the costmap, not of the scans; base frame, m
+  double speed_ = 0.0;              ///< m/s
+  double told_delay_ = 0.0;         ///< s, of the base; the longest that was said
+  long jumps_ = 0;                  ///< of the odometry, until the last call
+  std::optional<long> plan_jumps_;  ///< the same when the plan was followed first
 };
 
 }  // namespace lstm_planner
