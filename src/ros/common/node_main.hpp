@@ -19,7 +19,8 @@ class ClockWatch {
   static constexpr double kPeriod = 5.0;  // s
 
   static void look(const ros::WallTimerEvent& /*event*/) {
-    if (!ros::Time::now().isZero() || isPublished(ros::names::resolve("/clock"))) return;
+    // Without a master, the list of topics would be waited for, also by a node that is told to stop.
+    if (!ros::Time::now().isZero() || !ros::master::check() || isPublished(ros::names::resolve("/clock"))) return;
     ROS_WARN("there is no time: /use_sim_time is true, but nobody publishes /clock. rosparam delete /use_sim_time");
   }
 
@@ -54,8 +55,9 @@ int runNode(int argc, char** argv, const char* name, const Run& run, unsigned op
 template <typename Run>
 int runUntilStopped(int argc, char** argv, const char* name, const Run& run) {
   static volatile std::sig_atomic_t stop = 0;
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { stop = 1; });
   const auto run_until_stopped = [&run](const ros::NodeHandle& node) {
+    // Not before: as long as ROS waits for a master there is nothing to finish, and nobody looks at `stop`.
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { stop = 1; });
     const auto stop_by_call = [](XmlRpc::XmlRpcValue& call, XmlRpc::XmlRpcValue& answer) {
       const bool has_reason = call.getType() == XmlRpc::XmlRpcValue::TypeArray && call.size() > 1;
       if (has_reason) ROS_WARN_STREAM("stopped from outside: " << call[1]);
