@@ -201,6 +201,7 @@ DriveAdviceParameters loadDriveAdviceParameters(const ros::NodeHandle& private_n
   reader.knowRobotFile();
   reader.warnOfUnknown();
   parameters.planner = loadGlobalPlannerParameters(ros::NodeHandle(private_node, "LstmGlobalPlanner"));
+  parameters.decisions = resolvedPath(parameters.decisions);
   return parameters;
 }
 

@@ -397,6 +397,7 @@ DemoParameters loadDemoParameters(const ros::NodeHandle& private_node) {
   reader.know("start");
   reader.knowGroup("scenario");
   reader.warnOfUnknown();
+  for (std::string* path : {&parameters.picture, &parameters.result}) *path = resolvedPath(*path);
 
   reader.read(reader.isSet("start") ? "start" : "scenario/start", &parameters.start);
   std::string frame = "map";
