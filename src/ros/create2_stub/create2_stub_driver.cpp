@@ -117,7 +117,9 @@ void Create2StubDriver::update(const ros::Time& time) {
   publishBattery();
   publishSensors();
   publishDiagnostics();
-  if (time_ - last_command_ >= ros::Duration(parameters_.latch_cmd_duration)) drive({});
+  // Not from zero: ros::Duration ends at 68 years, so in 2038.
+  const bool is_old = last_command_.isZero() || time_ - last_command_ >= ros::Duration(parameters_.latch_cmd_duration);
+  if (is_old) drive({});
   queue_.callAvailable();
 }
 

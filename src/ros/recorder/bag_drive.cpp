@@ -75,8 +75,9 @@ std::optional<nav_msgs::Odometry> OdometryFromTransforms::of(const geometry_msgs
 }
 
 void OdometryFromTransforms::setTwist(nav_msgs::Odometry* odometry) const {
+  if (last_.header.stamp.isZero()) return;  // ros::Duration ends at 68 years
   const double elapsed = (odometry->header.stamp - last_.header.stamp).toSec();
-  if (last_.header.stamp.isZero() || elapsed <= 0.0) return;
+  if (elapsed <= 0.0) return;
   const Pose2 before = fromMessage(last_.pose.pose);
   const Pose2 pose = fromMessage(odometry->pose.pose);
   odometry->twist.twist.linear.x = toLocalFrame(before, {pose.x, pose.y}).x / elapsed;

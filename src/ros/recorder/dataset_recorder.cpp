@@ -264,8 +264,8 @@ void DatasetRecorder::pickGoal() {
   if (waypoints_.empty() || recorder.paused() || recorder.goal() || !file_.isOpen()) return;
   if (ros::Time::now().isZero()) return;  // a simulator's clock has not come yet
   // A goal that was heard is worked on only when everything before it is.
-  const double since_goal = std::abs((odometry_stamp_ - goal_stamp_).toSec());
-  if (!goal_stamp_.isZero() && since_goal <= parameters_.recorder.delay + kLongestDelay) return;
+  const double long_ago = parameters_.recorder.delay + kLongestDelay;
+  if (!goal_stamp_.isZero() && std::abs((odometry_stamp_ - goal_stamp_).toSec()) <= long_ago) return;
 
   const NamedPose& waypoint = waypoints_.next();
   const geometry_msgs::PoseStamped goal = toMessage(waypoint.pose, parameters_.waypoint_frame, goalHeardNow());
