@@ -12,7 +12,7 @@ class Schedule {
   /// True once a period, however often it is asked.
   bool due(std::uint64_t now) {
     if (now < next_) return false;
-    while (next_ <= now) next_ += period_;
+    next_ += ((now - next_) / period_ + 1) * period_;  // at once, however far the clock was set on
     return true;
   }
 
