@@ -87,9 +87,8 @@ void DriveMessages::hear(const move_base_msgs::MoveBaseActionResult& result, con
 void DriveMessages::hearGoal(const geometry_msgs::PoseStamped& goal, const std::string& source,
                              const ros::Time& received) {
   geometry_msgs::PoseStamped message = goal;
-  geometry_msgs::Quaternion& q = message.pose.orientation;
   // Where only the place matters people leave out the heading.
-  if (q.x == 0.0 && q.y == 0.0 && q.z == 0.0 && q.w == 0.0) q.w = 1.0;
+  if (isZero(message.pose.orientation)) message.pose.orientation.w = 1.0;
   GoalHeard heard;
   heard.stamp = recentStampOr(goal.header.stamp, received);
   heard.source = source;

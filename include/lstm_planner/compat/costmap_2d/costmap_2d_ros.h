@@ -33,8 +33,6 @@ class Costmap2DROS {
   const std::vector<geometry_msgs::Point>& getUnpaddedRobotFootprint() const noexcept { return footprint_; }
   void setUnpaddedRobotFootprint(const std::vector<geometry_msgs::Point>& points) { footprint_ = points; }
 
-  /// s
-
   /// The newest known pose of the robot in the global frame, stamped with the transform's time. False, with a
   /// (throttled) warning that says why, when the transform is missing or older than the tolerance.
   bool getRobotPose(geometry_msgs::PoseStamped& global_pose) const;
