@@ -240,6 +240,7 @@ void StandaloneMoveBase::pursue(const move_base_msgs::MoveBaseGoalConstPtr& goal
     rate.sleep();
   }
   planner_.stop();
+  stopRobot();  // the last command may have been worked out while the destructor sent its zero
   if (server_.isActive()) server_.setAborted({}, "The node has been shut down.");
 }
 
