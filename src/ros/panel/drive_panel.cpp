@@ -1,6 +1,7 @@
 #include "ros/panel/drive_panel.hpp"
 
 #include <ros/exceptions.h>
+#include <ros/names.h>
 #include <ros/service.h>
 #include <ros/time.h>
 #include <rviz/config.h>
@@ -129,6 +130,12 @@ void DrivePanel::save(rviz::Config config) const {
 
 void DrivePanel::subscribe() {
   view_ = DriveView();
+  said_->clear();
+  // Where the new name is refused, the buttons must not go on to another robot.
+  for (ros::Subscriber* each :
+       {&decision_subscriber_, &planner_subscriber_, &controller_subscriber_, &diagnostics_subscriber_}) {
+    each->shutdown();
+  }
   try {
     subscribeIn(namespace_.toStdString());
   } catch (const ros::InvalidNameException& error) {
@@ -138,6 +145,7 @@ void DrivePanel::subscribe() {
 
 void DrivePanel::subscribeIn(const std::string& name_space) {
   node_ = ros::NodeHandle(name_space);
+  recorder_node_ = node_.resolveName(recorder_.toStdString());
   using diagnostic_msgs::DiagnosticArray;
   using diagnostic_msgs::DiagnosticStatus;
   const std::string planner = planner_.toStdString();
@@ -155,7 +163,7 @@ void DrivePanel::subscribeIn(const std::string& name_space) {
 }
 
 void DrivePanel::onDiagnostics(const diagnostic_msgs::DiagnosticArray::ConstPtr& message) {
-  const std::string name = node_.resolveName(recorder_.toStdString()).substr(1) + ": recording";
+  const std::string name = recorder_node_.substr(1) + ": recording";
   for (const auto& status : message->status) {
     if (status.name == name) view_.hearRecorder(reportOf(status), now());
   }
@@ -163,7 +171,7 @@ void DrivePanel::onDiagnostics(const diagnostic_msgs::DiagnosticArray::ConstPtr&
 
 void DrivePanel::call(const std::string& service) {
   if (answer_.valid()) return;
-  const std::string name = node_.resolveName(recorder_.toStdString() + "/" + service);
+  const std::string name = ros::names::append(recorder_node_, service);
   // In a thread of its own: rviz goes on drawing while the recorder works.
   answer_ = std::async(std::launch::async, [name, service, pause = !view_.isPaused()] {
     return service == "pause" ? askToPause(name, pause) : answerOf(name, std_srvs::Trigger());

@@ -49,6 +49,7 @@ class DrivePanel : public rviz::Panel {
 
   DriveView view_;
   ros::NodeHandle node_;
+  std::string recorder_node_;  ///< its whole name
   ros::Subscriber decision_subscriber_;
   ros::Subscriber planner_subscriber_;
   ros::Subscriber controller_subscriber_;

@@ -101,8 +101,8 @@ class RvizPanel : public testing::Test {
   void initialize() { panel_->initialize(nullptr); }
 
   /// True as soon as the condition holds, while the robot goes on.
-  bool eventually(const std::function<bool()>& condition) {
-    return lstm_planner::eventually(condition, 20.0, [this] {
+  bool eventually(const std::function<bool()>& condition, double patience = 20.0) {
+    return lstm_planner::eventually(condition, patience, [this] {
       robot_.publish();
       ros::spinOnce();
       QApplication::processEvents(QEventLoop::AllEvents, 20);
@@ -166,10 +166,27 @@ TEST_F(RvizPanel, ListensInItsNamespaceAndKeepsIt) {
 
 TEST_F(RvizPanel, RefusesANameThatRosDoesNotTake) {
   initialize();
+  expectText("recorder", "recording (steps: 7, episodes: 1)");
   auto* edit = panel_->findChild<QLineEdit*>("namespace");
   edit->setText("two words");
   Q_EMIT edit->editingFinished();
   EXPECT_NE(text("said").find("two words"), std::string::npos) << text("said");
+  EXPECT_TRUE(eventually([&] { return !button("pause")->isEnabled(); }));
+  EXPECT_FALSE(eventually([&] { return button("pause")->isEnabled(); }, 1.0)) << "it would call the robot of before";
+  edit->setText("");
+  Q_EMIT edit->editingFinished();
+  expectText("said", "");
+  expectText("planner", "the network leads: it is chosen");
+}
+
+TEST_F(RvizPanel, RefusesARecorderThatRosDoesNotTake) {
+  rviz::Config config;
+  config.mapSetValue("Recorder", "a recorder");
+  initialize();
+  panel_->load(config);
+  EXPECT_TRUE(eventually([&] { return !button("pause")->isEnabled(); }));
+  EXPECT_FALSE(eventually([&] { return button("pause")->isEnabled(); }, 1.0));
+  EXPECT_NE(text("said").find("a recorder"), std::string::npos) << text("said");
 }
 
 TEST_F(RvizPanel, ItsButtonsCallTheRecorder) {
