@@ -160,24 +160,24 @@ void Create2Stub::runOwnClock() {
   const ros::WallDuration longest_delay(0.1);
   time_ = kClockStart;
   restartAt(simulatedTime());
-  ros::WallTime next = ros::WallTime::now();
+  ros::SteadyTime next = ros::SteadyTime::now();
   while (ros::ok()) {
     ros::spinOnce();
     waitForCommand();
     advance();
     next += step;
     // Time that was lost is not made up for: the others would be flooded.
-    if (ros::WallTime::now() - next > longest_delay) next = ros::WallTime::now();
-    ros::WallTime::sleepUntil(next);
+    if (ros::SteadyTime::now() - next > longest_delay) next = ros::SteadyTime::now();
+    ros::SteadyTime::sleepUntil(next);
   }
 }
 
 void Create2Stub::waitForCommand() {
   const auto period = static_cast<std::uint64_t>(1e9 * parameters_.command_period);
-  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(parameters_.command_patience);
+  const ros::SteadyTime deadline = ros::SteadyTime::now() + ros::WallDuration(parameters_.command_patience);
   while (controlled_ && time_ >= command_time_ + period && ros::ok()) {
     // A controller that has ended its work says nothing any more; it is waited for once.
-    controlled_ = ros::WallTime::now() < deadline;
+    controlled_ = ros::SteadyTime::now() < deadline;
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.005));
   }
 }

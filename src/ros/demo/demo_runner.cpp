@@ -176,7 +176,7 @@ class DemoRunner {
 
   Pose2 pose_;       ///< true, in the map frame
   ros::Time stamp_;  ///< of pose_; zero before the first
-  ros::WallTime last_heard_;
+  ros::SteadyTime last_heard_;
   double driven_ = 0.0;  ///< m since the start
   unsigned contacts_ = 0;
   std::vector<Point2> trace_;
@@ -241,7 +241,7 @@ void DemoRunner::driveAll() {
 }
 
 void DemoRunner::waitForOthers() {
-  last_heard_ = ros::WallTime::now();
+  last_heard_ = ros::SteadyTime::now();
   if (!spinUntil(parameters_.patience, [this] { return !stamp_.isZero(); })) {
     throw std::runtime_error("nothing on the topic " + truth_subscriber_.getTopic() + ": is the simulation running?");
   }
@@ -252,18 +252,18 @@ void DemoRunner::waitForOthers() {
 }
 
 bool DemoRunner::spinUntil(double seconds, const std::function<bool()>& condition) {
-  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(seconds);
+  const ros::SteadyTime deadline = ros::SteadyTime::now() + ros::WallDuration(seconds);
   while (ros::ok()) {
     ros::spinOnce();
     if (condition()) return true;
-    if (ros::WallTime::now() > deadline) return false;
+    if (ros::SteadyTime::now() > deadline) return false;
     ros::WallDuration(kPoll).sleep();
   }
   throw std::runtime_error("stopped from outside");
 }
 
 void DemoRunner::checkAlive() const {
-  if (ros::WallTime::now() - last_heard_ > ros::WallDuration(parameters_.patience)) {
+  if (ros::SteadyTime::now() - last_heard_ > ros::WallDuration(parameters_.patience)) {
     throw std::runtime_error("no more ground truth: the simulation has stopped");
   }
 }
@@ -336,7 +336,7 @@ void DemoRunner::onTruth(const nav_msgs::Odometry::ConstPtr& message) {
   if (!stamp_.isZero()) driven_ += distanceBetween(pose_, pose);
   pose_ = pose;
   stamp_ = message->header.stamp;
-  last_heard_ = ros::WallTime::now();
+  last_heard_ = ros::SteadyTime::now();
   const Point2 position{pose.x, pose.y};
   if (trace_.empty() || distanceBetween(trace_.back(), position) >= kTraceSpacing) trace_.push_back(position);
 }

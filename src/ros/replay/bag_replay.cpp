@@ -77,7 +77,7 @@ class BagReplayPlayer {
   ros::Publisher map_;
   tf2_ros::StaticTransformBroadcaster static_transforms_;
   std::optional<ros::Time> began_;  ///< of the recording
-  ros::WallTime wall_began_;
+  ros::SteadyTime wall_began_;
 };
 
 BagReplayPlayer::BagReplayPlayer(const std::string& path, const BagDriveResult& drive)
@@ -122,13 +122,13 @@ void BagReplayPlayer::waitUntil(const ros::Time& time, double rate) {
   constexpr double kClockPeriod = 0.02;  // s of the computer's, also where the recording is silent
   if (!began_) {
     began_ = time;
-    wall_began_ = ros::WallTime::now();
+    wall_began_ = ros::SteadyTime::now();
   }
   if (rate <= 0.0) {
     return;
   }
-  const ros::WallTime due = wall_began_ + ros::WallDuration((time - *began_).toSec() / rate);
-  for (ros::WallTime now = ros::WallTime::now(); now < due && ros::ok(); now = ros::WallTime::now()) {
+  const ros::SteadyTime due = wall_began_ + ros::WallDuration((time - *began_).toSec() / rate);
+  for (ros::SteadyTime now = ros::SteadyTime::now(); now < due && ros::ok(); now = ros::SteadyTime::now()) {
     tellTime(*began_ + ros::Duration((now - wall_began_).toSec() * rate));
     std::min(ros::WallDuration(kClockPeriod), due - now).sleep();
   }
@@ -233,8 +233,8 @@ void BagReplay::run() {
 }
 
 void BagReplay::waitForListeners() const {
-  const ros::WallTime given_up = ros::WallTime::now() + ros::WallDuration(parameters_.patience);
-  while (ros::ok() && ros::WallTime::now() < given_up) {
+  const ros::SteadyTime given_up = ros::SteadyTime::now() + ros::WallDuration(parameters_.patience);
+  while (ros::ok() && ros::SteadyTime::now() < given_up) {
     if (display_.isListenedTo()) {
       kSettling.sleep();  // its other subscriptions, and others that were started with it, come now
       return;
