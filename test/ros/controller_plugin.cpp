@@ -43,8 +43,8 @@ class ControllerTest : public PlannerTest {
   }
 
   /// The robot stands at `pose`; true when the controller, having heard of it, gives a velocity.
-  bool computeAt(const Pose2& pose) {
-    robot_.moveTo(pose, 0.05);
+  bool computeAt(const Pose2& pose, double seconds = 0.05) {
+    robot_.moveTo(pose, seconds);
     return eventually([&] {
       robot_.again();
       return controller_->computeVelocityCommands(velocity_);
@@ -175,7 +175,7 @@ TEST_F(ControllerTest, ArrivesWithinThePositionTolerance) {
   controller_->setPlan(straightPlan("odom", {}, 1.0));
   ASSERT_TRUE(computeAt({0.75, 0.0, 0.0}));
   EXPECT_FALSE(controller_->isGoalReached()) << "0.25 m away, the tolerance is 0.2 m";
-  ASSERT_TRUE(computeAt({0.85, 0.0, 1.0}));
+  ASSERT_TRUE(computeAt({0.85, 0.0, 1.0}, 0.5));
   EXPECT_TRUE(eventually([&] { return controller_->isGoalReached(); })) << "any heading will do";
 }
 
@@ -188,7 +188,7 @@ TEST_F(ControllerTest, TurnsToTheGoalsHeadingWhenTheToleranceAsksForIt) {
     return controller_->computeVelocityCommands(velocity_) && velocity_.linear.x == 0.0 && velocity_.angular.z < -0.5;
   }));
   EXPECT_FALSE(controller_->isGoalReached());
-  ASSERT_TRUE(computeAt({0.9, 0.0, 0.1}));
+  ASSERT_TRUE(computeAt({0.9, 0.0, 0.1}, 0.5));
   EXPECT_TRUE(eventually([&] { return controller_->isGoalReached(); }));
 }
 

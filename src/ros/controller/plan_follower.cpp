@@ -89,9 +89,9 @@ MotionCommand PlanFollower::compute() {
   const ros::Time now = ros::Time::now();
   const SensorReading reading = sensors_.read(now);
   checkPlanAge(now);
+  const Pose2 odometry_from_plan = odometryFromPlan(reading.odometry_frame, now);
   if (!plan_jumps_) plan_jumps_ = reading.jumps;
   if (*plan_jumps_ != reading.jumps) throw OutdatedPlan("the odometry has jumped since the plan was made");
-  const Pose2 odometry_from_plan = odometryFromPlan(reading.odometry_frame, now);
   std::vector<Pose2> odometry_plan;
   for (const Pose2& pose : plan_) odometry_plan.push_back(compose(odometry_from_plan, pose));
   perceive(reading, now);
