@@ -173,7 +173,7 @@ TEST_F(ControllerTest, RefusesAPlanThatIsNotFiniteOrNotInOneFrame) {
 
 TEST_F(ControllerTest, ArrivesWithinThePositionTolerance) {
   controller_->setPlan(straightPlan("odom", {}, 1.0));
-  ASSERT_TRUE(computeAt({0.75, 0.0, 0.0}));
+  ASSERT_TRUE(computeAt({0.75, 0.0, 0.0}, 1.0));
   EXPECT_FALSE(controller_->isGoalReached()) << "0.25 m away, the tolerance is 0.2 m";
   ASSERT_TRUE(computeAt({0.85, 0.0, 1.0}, 0.5));
   EXPECT_TRUE(eventually([&] { return controller_->isGoalReached(); })) << "any heading will do";
@@ -183,7 +183,7 @@ TEST_F(ControllerTest, TurnsToTheGoalsHeadingWhenTheToleranceAsksForIt) {
   ros::param::set("~/SteeringController/heading_tolerance", 0.2);
   initialise();
   controller_->setPlan(straightPlan("odom", {}, 1.0));
-  ASSERT_TRUE(computeAt({0.9, 0.0, 1.0}));
+  ASSERT_TRUE(computeAt({0.9, 0.0, 1.0}, 1.0));
   EXPECT_TRUE(eventually([&] {
     return controller_->computeVelocityCommands(velocity_) && velocity_.linear.x == 0.0 && velocity_.angular.z < -0.5;
   }));
