@@ -15,12 +15,16 @@ constexpr double kLeastTurn = 0.1;    // rad/s, root mean square: the noise of a
 constexpr double kAgree = 0.9;        // correlation
 constexpr double kDiffer = 0.85;      // correlation
 constexpr double kClearly = 0.1;      // s
+constexpr double kSamePeriod = 0.2;   // share by which a period may differ
 
 }  // namespace
 
 void ReactionWatch::note(double measured, double commanded, double period, double expected) {
-  if (period != period_) samples_.clear();
-  period_ = period;
+  // A measured period is never twice the same.
+  if (std::abs(period - period_) > kSamePeriod * period_) {
+    samples_.clear();
+    period_ = period;
+  }
   samples_.push_back({measured, commanded});
   if (static_cast<double>(samples_.size()) * period <= kWindow) return;
   samples_.pop_front();

@@ -95,10 +95,10 @@ MotionCommand PlanFollower::compute() {
   std::vector<Pose2> odometry_plan;
   for (const Pose2& pose : plan_) odometry_plan.push_back(compose(odometry_from_plan, pose));
   perceive(reading, now);
-  const double period = 1.0 / parameters_.controller_frequency;
-  const double oldest = reading.second ? std::min(reading.first.stamp, reading.second->stamp) : reading.first.stamp;
   asked_.note(now.toSec());  // a busy computer may ask more seldom than controller_frequency says
-  tracker_.expectReactionTime(reading.scan_period, now.toSec() - oldest, std::max(period, asked_.period()));
+  const double period = std::max(1.0 / parameters_.controller_frequency, asked_.period());
+  const double oldest = reading.second ? std::min(reading.first.stamp, reading.second->stamp) : reading.first.stamp;
+  tracker_.expectReactionTime(reading.scan_period, now.toSec() - oldest, period);
   speed_ = std::abs(reading.twist.linear);
   MotionCommand command = tracker_.compute(odometry_plan, seen_, reading.twist, shield_, period);
   sayDelay();

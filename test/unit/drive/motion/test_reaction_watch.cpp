@@ -35,6 +35,15 @@ TEST(ReactionWatch, MeasuresADelayThatIsLongerThanExpected) {
   }
 }
 
+TEST(ReactionWatch, MeasuresADelayWhereThePeriodIsMeasuredToo) {
+  ReactionWatch watch;
+  for (int i = 0; i < 600; ++i) {
+    const double time = i * kPeriod;
+    watch.note(commandedBefore(time, 0.7), commandedBefore(time, 0.0), kPeriod * (1.0 + 0.02 * (i % 3)), kExpected);
+  }
+  EXPECT_NEAR(watch.delay(), 0.7, 0.1);
+}
+
 TEST(ReactionWatch, FindsNothingWhereTheBaseIsAsFastAsExpected) {
   for (const double delay : {0.0, 0.1, kExpected}) {
     EXPECT_EQ(delayFound([&](double time) { return commandedBefore(time, delay); }), 0.0) << delay;
