@@ -52,6 +52,9 @@ class MotionTrial {
       history.note(command, motion.reaction_time, period);
       commands_.push_back({time_ + kStep * std::floor(latency / kStep), command});
       has_moved = has_moved || command.linear != 0.0 || command.angular != 0.0;
+      const double wheel = std::abs(command.linear) + 0.5 * motion.axle_length * std::abs(command.angular);
+      beyond_limits = std::max({beyond_limits, wheel - motion.max_wheel_speed, command.linear - motion.max_linear,
+                                std::abs(command.angular) - motion.max_angular});
       for (double end = time_ + period; time_ < end - 0.5 * kStep;) {
         step();
         for (std::size_t i = 0; i < returns.size(); ++i) {
@@ -64,6 +67,7 @@ class MotionTrial {
   }
 
   bool has_moved = false;
+  double beyond_limits = 0.0;  ///< m/s or rad/s by which a command was more than the robot may drive, turn or roll
 
  private:
   static constexpr double kStep = 0.005;  // s

@@ -299,7 +299,8 @@ Pose2 MotionController::target(const MotionSituation& situation) const {
 }
 
 double MotionController::wantedTurn(double error, double most) const {
-  return clampMagnitude(headingGain(parameters_.heading_gain, reaction_time_) * error, most);
+  const double angular = clampMagnitude(headingGain(parameters_.heading_gain, reaction_time_) * error, most);
+  return withinWheelLimits({0.0, angular}).angular;
 }
 
 Twist2 MotionController::withinWheelLimits(const Twist2& twist) const {
@@ -418,13 +419,15 @@ Twist2 MotionController::steadied(const Twist2& twist, const Moment& now) const 
     best = command;
   };
   const auto turnLess = [&](double linear) {
-    for (const double share : {0.5, 0.25, 0.0}) tryCommand({linear, before + share * (twist.angular - before)});
+    for (const double share : {0.5, 0.25, 0.0}) {
+      tryCommand(withinWheelLimits({linear, before + share * (twist.angular - before)}));
+    }
   };
   tryCommand(twist);
   if (twist.linear != 0.0 && !now.persons.near) turnLess(twist.linear);  // on another arc it would have to yield anew
   turnLess(0.0);
   // Wheels that all take time keep their common speed the longer the more the turn changes.
-  tryCommand({0.0, clampMagnitude(now.current.angular, parameters_.max_angular)});
+  tryCommand(withinWheelLimits({0.0, clampMagnitude(now.current.angular, parameters_.max_angular)}));
   tryCommand({});
   return best;
 }

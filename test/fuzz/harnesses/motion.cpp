@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kCommands = 40;
 constexpr double kExact = 2e-3;  // m, as in test_motion_trials.cpp
+constexpr double kRounding = 1e-9;
 constexpr double kLeastInside = 0.02;
 
 Point2 pointWithin(double reach, FuzzInput* input) {
@@ -57,6 +58,7 @@ void motion(const std::uint8_t* data, std::size_t size) {
     if (footprint->distanceTo(point) > 1e-3) trial.returns.push_back(point);
   }
   require(trial.shortfall(kCommands) < kExact, "no return comes nearer than the margin, or than it is");
+  require(trial.beyond_limits < kRounding, "no command is beyond the limits");
 }
 
 const Registration registration("motion", &motion);

@@ -13,7 +13,8 @@ namespace {
 
 using test::MotionTrial;
 
-constexpr double kExact = 2e-3;   // m; sweeps are exact to a millimetre, and wheels are foreseen in pieces of 25 ms
+constexpr double kExact = 2e-3;  // m; sweeps are exact to a millimetre, and wheels are foreseen in pieces of 25 ms
+constexpr double kRounding = 1e-9;
 constexpr int kCommands = 60;     // 3 s
 constexpr double kAtOnce = 50.0;  // m/s^2
 constexpr double kAsItBrakes = 0.0;
@@ -69,6 +70,7 @@ int movesIn(int trials, double wheel_acceleration, const AnyFootprint& anyFootpr
     MotionTrial trial = anyTrial(random, anyFootprint(random));
     trial.motion.wheel_acceleration = wheel_acceleration;
     EXPECT_LT(trial.shortfall(kCommands), kExact) << i;
+    EXPECT_LT(trial.beyond_limits, kRounding) << i;
     moved += trial.has_moved;
   }
   return moved;
