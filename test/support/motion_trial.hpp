@@ -20,6 +20,7 @@ class MotionTrial {
   MotionParameters motion;
   std::vector<Point2> returns;  ///< m
   Point2 goal{3.0, 0.0};        ///< m, straight ahead of the plan
+  double turn = 0.0;            ///< rad by which the plan leads farther to the left every second; 0: to the goal
   double period = 0.05;         ///< s, between two commands
   double latency = 0.1;         ///< s, from a command to the wheels; at most reaction_time - period
   bool has_stood = false;       ///< for so long that two thirds of the margin must do
@@ -44,7 +45,7 @@ class MotionTrial {
       shield.show(seen);
       trail.note(pose_, history.goes_back);
       if (!footprint.isCircle()) history.back = trail.back(pose_, history.goes_back);
-      const std::vector<Pose2> plan{pose_, {goal.x, goal.y, 0.0}};
+      const std::vector<Pose2> plan{pose_, planEnd()};
       const MotionCommand command = controller.compute({plan, pose_, twist(), shield, period}, {}, {}, history);
       if (command.goes_back) margin_ = 0.5 * motion.safety_margin;
       history.goes_back = command.goes_back;
@@ -76,6 +77,12 @@ class MotionTrial {
     double since;
     Twist2 twist;
   };
+
+  Pose2 planEnd() const {
+    if (turn == 0.0) return {goal.x, goal.y, 0.0};
+    const Point2 way = toParentFrame({0.0, 0.0, turn * std::floor(time_)}, goal);
+    return {pose_.x + way.x, pose_.y + way.y, 0.0};
+  }
 
   Twist2 twist() const { return {0.5 * (left_ + right_), (right_ - left_) / motion.axle_length}; }
 

@@ -409,12 +409,13 @@ Twist2 MotionController::steadied(const Twist2& twist, const Moment& now) const 
   const double before = clampMagnitude(last.angular, parameters_.max_angular);
   Twist2 best;
   double farthest = -1.0;
+  bool brakes = false;
   const auto tryCommand = [&](const Twist2& command) {
     if (farthest == WheelMotion::kFree) return;
     const double free = motion.free(command);
-    // Where nothing is free it brakes: whoever drives on for a little more air has less of it next time. Of commands
-    // that are as good the last one, which turns least.
-    if (free < farthest || (command.linear != 0.0 && free != WheelMotion::kFree)) return;
+    // Where nothing is free it brakes: whoever drives or turns on for a little more air has less of it next time. Of
+    // commands that are as good the last one, which turns least.
+    if (free < farthest || (!brakes && free != WheelMotion::kFree)) return;
     farthest = free;
     best = command;
   };
@@ -427,6 +428,7 @@ Twist2 MotionController::steadied(const Twist2& twist, const Moment& now) const 
   if (twist.linear != 0.0 && !now.persons.near) turnLess(twist.linear);  // on another arc it would have to yield anew
   turnLess(0.0);
   // Wheels that all take time keep their common speed the longer the more the turn changes.
+  brakes = true;
   tryCommand(withinWheelLimits({0.0, clampMagnitude(now.current.angular, parameters_.max_angular)}));
   tryCommand({});
   return best;

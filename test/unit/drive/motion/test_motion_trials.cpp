@@ -63,12 +63,14 @@ MotionTrial anyTrial(Random& random, const Footprint& footprint) {
 
 /// For how many the robot moves; fails where it comes nearer to a return than it may.
 template <typename AnyFootprint>
-int movesIn(int trials, double wheel_acceleration, const AnyFootprint& anyFootprint, std::uint64_t seed = 3) {
+int movesIn(int trials, double wheel_acceleration, const AnyFootprint& anyFootprint, std::uint64_t seed = 3,
+            double turn = 0.0) {
   Random random(seed);
   int moved = 0;
   for (int i = 0; i < trials; ++i) {
     MotionTrial trial = anyTrial(random, anyFootprint(random));
     trial.motion.wheel_acceleration = wheel_acceleration;
+    trial.turn = turn;
     EXPECT_LT(trial.shortfall(kCommands), kExact) << i;
     EXPECT_LT(trial.beyond_limits, kRounding) << i;
     moved += trial.has_moved;
@@ -90,6 +92,10 @@ TEST_P(MotionTrials, ACircleComesNoNearerThanItsMargin) {
 
 TEST_P(MotionTrials, ACircleThatBrakesSlowlyDoesNotDriveOnWhereNothingIsFree) {
   EXPECT_GT(movesIn(100, GetParam(), anyCircle, 117), 98) << "trial 80 with wheels as it brakes";
+}
+
+TEST_P(MotionTrials, ACircleWhosePlanLeadsElsewhereBrakesWhereNothingIsFree) {
+  EXPECT_GT(movesIn(420, GetParam(), anyCircle, 3, 2.5), 410) << "trial 418 with wheels as it brakes";
 }
 
 INSTANTIATE_TEST_SUITE_P(Wheels, MotionTrials, ::testing::Values(kAtOnce, kAsItBrakes),
