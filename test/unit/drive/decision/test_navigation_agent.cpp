@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "lstm_planner/drive/decision/navigation_agent.hpp"
 #include "support/agent_steps.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
+#include "unit/drive/local_map/memory_fixtures.hpp"
 
 namespace lstm_planner::test_navigation_agent {
 namespace {
@@ -232,6 +232,32 @@ TEST_F(NavigationAgentTest, ChoosesAnewWithoutSteppingWhenThePathIsBlocked) {
   EXPECT_EQ(hiddenState(), before);
 }
 
+TEST_F(NavigationAgentTest, ShortensAStepWhoseEndIsBlocked) {
+  ASSERT_NEAR(test::decideIn(situationAt({}), &agent_).waypoint.x, 0.4, 1e-3);
+  // 10 cm before the end of the step it comes as near to the wall as it may where there is room.
+  const ShieldParameters shield;
+  const double wall = 0.3 + shield.footprint_radius + shield.clearance;
+  const Decision& decision = test::decideIn(situationAt({}, 0.1, test::wall({wall, -1.0}, {wall, 1.0})), &agent_);
+  EXPECT_EQ(decision.action, kStraight);
+  EXPECT_EQ(decision.step, 1);
+  EXPECT_NEAR(decision.waypoint.x, 0.3, 1e-3) << "returns are a centimetre apart";
+}
+
+TEST_F(NavigationAgentTest, ARestartForgetsWhatIsOutOfView) {
+  AgentParameters with_corners = parameters();
+  with_corners.shield.footprint = "[[0.3, 0.2], [0.3, -0.2], [-0.3, -0.2], [-0.3, 0.2]]";
+  with_corners.shield.footprint_radius = 0.2;
+  NavigationAgent agent(policy(), with_corners);
+  const CircleWorld post({{{0.6, 0.0}, 0.1}});
+  const Situation behind = test::seenFrom(post, {0.0, 0.0, M_PI});
+  agent.perceive(test::seenFrom(post, {}));
+  agent.perceive(behind);
+  EXPECT_NEAR(agent.shield().gap({}), 0.2, 0.01) << "the scanner does not see behind";
+  agent.restart();
+  agent.perceive(behind);
+  EXPECT_EQ(agent.shield().gap({}), with_corners.shield.reach);
+}
+
 TEST_F(NavigationAgentTest, UsesTheTightClearanceWhereThereIsNoOtherPath) {
   // A passage 0.44 m wide and closed behind: 4.6 cm on either side of the robot.
   std::vector<Point2> passage = test::wall({-0.24, 0.22}, {2.0, 0.22});
@@ -339,12 +365,6 @@ TEST_F(NavigationAgentTest, ANetworkThatLeadsNoMorePrefersNothing) {
   EXPECT_EQ(decision.choice, Leader::kGreedy);
   EXPECT_EQ(decision.preferred, -1);
   EXPECT_EQ(decision.overruled, Overruled::kNo);
-}
-
-TEST_F(NavigationAgentTest, RefusesAPolicyForAnotherStepLength) {
-  AgentParameters parameters;
-  parameters.step.length = 0.6;
-  EXPECT_THROW(NavigationAgent(policy(), parameters), std::invalid_argument);
 }
 
 }  // namespace

@@ -209,6 +209,19 @@ TEST_F(NavigationRoutes, AToleranceThatIsChangedOnTheWayEndsTheDrive) {
   EXPECT_TRUE(BesideThePillar(0, 0.8).is_to_be_reached);
 }
 
+TEST_F(NavigationRoutes, AGoalThatMovesALittleDoesNotMakeThePathJumpToTheOtherSide) {
+  const std::vector<Point2> wall = test::wall({2.0, -1.1}, {2.0, 1.0});
+  ASSERT_GT(test::decideIn(returnsAt(wall), &agent_).direction, 0.0) << "round the left end, which is the nearer one";
+  const Point2 moved{4.0, -0.2};  // now the right end is
+  agent_.moveGoal(moved);
+  Situation on = returnsAt(wall, {0.03, 0.0, 0.0});
+  on.time = 1.0;
+  EXPECT_GT(test::decideIn(on, &agent_).direction, 0.0);
+  EXPECT_EQ(agent_.decision().step, 2);
+  agent_.setGoal(moved);
+  EXPECT_LT(test::decideIn(on, &agent_).direction, 0.0) << "who sets out for it anew";
+}
+
 TEST_F(NavigationRoutes, AskingTwiceChangesNothing) {
   const Decision first = test::decideIn(returnsAt(kWall), &agent_);
   const Network::HiddenState hidden = agent_.policy().hiddenState();

@@ -120,5 +120,19 @@ TEST(ParameterRanges, KeepComfortWithinWhatTheMemoryCanLookAt) {
             "0.8");
 }
 
+TEST(ParameterRanges, KeepClearanceAndCornersWithinWhatTheMemoryCanLookAt) {
+  AgentParameters parameters;
+  parameters.shield.clearance = 0.7;
+  EXPECT_EQ(complaintAbout(parameters),
+            "parameter shield/clearance is 0.7, expected with shield/footprint_radius at most 16 memory/resolution = "
+            "0.8");
+  AgentParameters with_corners;
+  with_corners.shield.footprint = "[[1.0, 0.2], [1.0, -0.2], [-1.0, -0.2], [-1.0, 0.2]]";
+  with_corners.shield.footprint_radius = 0.2;
+  EXPECT_EQ(complaintAbout(with_corners),
+            "parameter shield/tight_clearance is 0.03, expected with the farthest corner of shield/footprint at most "
+            "16 memory/resolution = 0.8");
+}
+
 }  // namespace
 }  // namespace lstm_planner::test_parameter_ranges

@@ -31,6 +31,15 @@ TEST(OdometryHistory, DoesNotTellASpeedFromTwoMessagesOfABunch) {
   EXPECT_EQ(history.poseAt(0.1).x, 0.01);
 }
 
+TEST(OdometryHistory, TakesTheFirstPoseForWhateverWasBefore) {
+  OdometryHistory history(1.0);
+  history.add({1.0, {0.5, 0.0, 0.0}, {}});
+  EXPECT_EQ(history.poseAt(0.9).x, 0.5);
+  EXPECT_EQ(history.poseAt(1.1).x, 0.5) << "one message tells no speed";
+  history.add({1.1, {0.55, 0.0, 0.0}, {}});
+  EXPECT_EQ(history.poseAt(0.9).x, 0.5);
+}
+
 /// A board behind a serial line (rosserial) asks for the time now and then, and corrects its clock.
 TEST(OdometryHistory, ForgetsNothingWhenADriverCorrectsItsClock) {
   OdometryHistory history(1.0);
