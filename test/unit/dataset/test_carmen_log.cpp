@@ -280,8 +280,11 @@ TEST(CarmenLogTest, WhatIsNoLogIsRefusedInASentence) {
   const std::string long_line = written("long_line.log", std::string(2 << 20, 'x'));
   EXPECT_EQ(refusalOf(long_line),
             "the log " + long_line + " cannot be read on behind line 0: it is damaged, or no log");
-  EXPECT_NE(refusalOf(written("empty.log", "")), "");
-  EXPECT_NE(refusalOf(folder().path()), "");
+  const std::string empty = written("empty.log", "");
+  EXPECT_EQ(refusalOf(empty),
+            "the log " + empty + " holds no scans: expected lines FLASER or ROBOTLASER1 among its 0 lines");
+  EXPECT_EQ(refusalOf(folder().path()),
+            "the log " + folder().path().string() + " cannot be read: it is a folder, expected a file");
 }
 
 TEST(CarmenLogTest, FilesOfGMappingNameTheProgramThatConvertsThem) {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <functional>
 #include <set>
+#include <string>
 
 #include "lstm_planner/dataset/dataset_check.hpp"
 #include "lstm_planner/dataset/dataset_edit.hpp"
 #include "lstm_planner/dataset/dataset_summary.hpp"
+#include "support/refusal.hpp"
 #include "unit/dataset/dataset_fixtures.hpp"
 
 namespace lstm_planner::test_dataset_contents {
@@ -191,7 +193,8 @@ TEST_F(DatasetEdit, RefusesToMergeLabelsOfDifferentAnglesOrADriveTwice) {
                                                        in("a.db") + "' for -1.5708, -0.785398, 0, 0.785398, 1.5708");
   EXPECT_NE(refusal({in("a.db"), in("part.db")}).find("is in '" + in("a.db") + "' and in '" + in("part.db") + "'"),
             std::string::npos);
-  EXPECT_NE(refusal({in("a.db"), in("a.db")}), "");
+  EXPECT_NE(refusal({in("a.db"), in("a.db")}).find("is in '" + in("a.db") + "' and in '" + in("a.db") + "'"),
+            std::string::npos);
 }
 
 /// Stamps tell episodes of the example apart.
@@ -241,10 +244,15 @@ TEST(DatasetSplit, GivesEitherPartAnEpisodeAndLeavesDiscardedOnesInTheFirst) {
     EXPECT_EQ(split.training.recordings[0].rejections, dataset.recordings[0].rejections);
     EXPECT_EQ(split.validation.recordings[0].rejections, RejectionCounts{});
   }
-  EXPECT_THROW(splitDataset(dataset, 0.0, 1), std::invalid_argument);
-  EXPECT_THROW(splitDataset(dataset, 1.0, 1), std::invalid_argument);
+  const auto refusal = [&](double share) {
+    return test::refusalOf<std::invalid_argument>([&] { splitDataset(dataset, share, 1); });
+  };
+  for (const char* share : {"0", "1"}) {
+    EXPECT_EQ(refusal(std::stod(share)),
+              "the share of the validation set is " + std::string(share) + ", expected more than 0 and less than 1");
+  }
   dataset.recordings[0].episodes[1].steps.clear();
-  EXPECT_THROW(splitDataset(dataset, 0.5, 1), std::invalid_argument) << "one episode with steps";
+  EXPECT_EQ(refusal(0.5), "a dataset with 1 episodes cannot be split, expected at least 2 with steps");
 }
 
 }  // namespace

@@ -118,13 +118,18 @@ TEST_F(DatasetExport, DescribesAnArrayAsTheFormatWantsIt) {
   EXPECT_EQ(file.size(), 10 + length + 6 * sizeof(double));
   EXPECT_EQ(file.find("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }"), 10u);
   EXPECT_NE(toNpy(std::vector<float>(5)).find("'<f4', 'fortran_order': False, 'shape': (5,), }"), std::string::npos);
-  EXPECT_THROW(toNpy(std::vector<float>(5), 2), std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([] { toNpy(std::vector<float>(5), 2); }),
+            "5 numbers are no rows of 2");
 }
 
 TEST_F(DatasetExport, SaysWhenTheFileCannotBeWritten) {
-  EXPECT_THROW(exportCsv(in("none/a.csv"), example(), false), DatasetError);
-  EXPECT_THROW(exportNumpy(in("none/a.npz"), example(), false), DatasetError);
-  EXPECT_THROW(exportNumpy(in("a.npz"), {}, false), DatasetError) << "there is nothing to learn from";
+  const std::string no_folder = "' cannot be written: No such file or directory";
+  EXPECT_EQ(test::refusalOf<DatasetError>([&] { exportCsv(in("none/a.csv"), example(), false); }),
+            "'" + in("none/a.csv") + no_folder);
+  EXPECT_EQ(test::refusalOf<DatasetError>([&] { exportNumpy(in("none/a.npz"), example(), false); }),
+            "'" + in("none/a.npz") + no_folder);
+  EXPECT_EQ(test::refusalOf<DatasetError>([&] { exportNumpy(in("a.npz"), {}, false); }),
+            "'" + in("a.npz") + "' is not written: the dataset has no steps");
 }
 
 TEST_F(DatasetExport, HasOneMeaningOfTheLabelsInArrays) {

@@ -12,6 +12,7 @@
 #include "lstm_planner/dataset/dataset_check.hpp"
 #include "lstm_planner/dataset/dataset_summary.hpp"
 #include "lstm_planner/dataset/dataset_writer.hpp"
+#include "support/refusal.hpp"
 #include "unit/dataset/dataset_fixtures.hpp"
 
 namespace lstm_planner::test_dataset_store {
@@ -157,32 +158,39 @@ TEST_F(DatasetStore, DiscardsTheEpisodesThatWereBegunLast) {
 TEST_F(DatasetStore, RefusesAStepThatNoRecorderMakes) {
   DatasetWriter writer(in("a.db"), exampleDescription());
   const RecordedEpisode episode = exampleEpisode(2, 1);
-  EXPECT_THROW(writer.addStep(episode.steps[0]), std::logic_error) << "of no episode";
-  EXPECT_THROW(writer.endEpisode(1.0, EpisodeEnd::kArrived), std::logic_error);
+  const auto refusal = [&](const DriveStep& step) {
+    return test::refusalOf<std::logic_error>([&] { writer.addStep(step); });
+  };
+  const auto refusalOfEnd = [&](double stamp) {
+    return test::refusalOf<std::logic_error>([&] { writer.endEpisode(stamp, EpisodeEnd::kArrived); });
+  };
+  EXPECT_EQ(refusal(episode.steps[0]), "a step was added before an episode was started");
+  EXPECT_EQ(refusalOfEnd(1.0), "an episode was ended before one was started");
   writer.startEpisode(episode.episode);
   writer.addStep(episode.steps[0]);
-  EXPECT_THROW(writer.addStep(episode.steps[0]), std::invalid_argument) << "the same number again";
+  EXPECT_EQ(refusal(episode.steps[0]), "step 0 was added after step 0 of the same episode");
   DriveStep broken = episode.steps[1];
   broken.observation.goal_bearing = std::nan("");
-  EXPECT_THROW(writer.addStep(broken), std::invalid_argument);
+  EXPECT_EQ(refusal(broken), "its goal_bearing is nan, expected a number from -1e+10 to 1e+10");
   broken = episode.steps[1];
   broken.label = 5;
-  EXPECT_THROW(writer.addStep(broken), std::invalid_argument) << "could not be read again";
+  EXPECT_EQ(refusal(broken), "its label is 5, expected 0 to 4");
   broken = episode.steps[1];
   broken.geometry.beams = 1;
-  EXPECT_THROW(writer.addStep(broken), std::invalid_argument) << "another number of beams than ranges";
+  EXPECT_EQ(refusal(broken), "its scan has 16 ranges, expected 1 as in its geometry");
   broken.ranges.clear();
-  EXPECT_THROW(writer.addStep(broken), std::invalid_argument) << "no scan ahead";
+  EXPECT_NE(refusal(broken).find("expected all of [-90, +90) degrees"), std::string::npos) << refusal(broken);
   broken = episode.steps[1];
   broken.measured[0] = -1;
-  EXPECT_THROW(writer.addStep(broken), std::invalid_argument);
+  EXPECT_EQ(refusal(broken), "a sector has -1 beams, expected 0 or more");
   writer.addStep(episode.steps[1]);
-  EXPECT_THROW(writer.endEpisode(std::nan(""), EpisodeEnd::kArrived), std::invalid_argument);
+  EXPECT_EQ(refusalOfEnd(std::nan("")), "its ended is nan, expected a number from -1e+10 to 1e+10");
   Episode nowhere = episode.episode;
   nowhere.goal.pose.yaw = std::nan("");
-  EXPECT_THROW(writer.startEpisode(nowhere), std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] { writer.startEpisode(nowhere); }),
+            "its goal_yaw is nan, expected a number from -1e+10 to 1e+10");
   writer.finish();
-  EXPECT_THROW(writer.addStep(episode.steps[1]), std::logic_error) << "after the end";
+  EXPECT_EQ(refusal(episode.steps[1]), "dataset '" + in("a.db") + "' is finished");
 }
 
 TEST_F(DatasetStore, WritesNoDatasetThatCouldNotBeReadAgain) {
@@ -233,9 +241,14 @@ TEST_F(DatasetStore, SaysWhatIsWrongWithAFileThatIsNoDataset) {
   EXPECT_EQ(refusal("folder.db"), "dataset '" + in("folder.db") + "' cannot be read: it is a folder, expected a file");
   EXPECT_EQ(refusal("none.db"), "dataset '" + in("none.db") + "' cannot be read: there is no such file");
   EXPECT_FALSE(std::filesystem::exists(in("none.db"))) << "reading makes nothing";
-  EXPECT_THROW(DatasetWriter(in("text.db"), exampleDescription()), DatasetError);
-  EXPECT_THROW(DatasetWriter(in("nowhere/a.db"), exampleDescription()), DatasetError);
-  EXPECT_THROW(writeDataset(in("text.db"), {}), DatasetError) << "nothing is overwritten";
+  const auto refusalOfWriter = [&](const std::string& name) {
+    return test::refusalOf<DatasetError>([&] { DatasetWriter(in(name), exampleDescription()); });
+  };
+  EXPECT_EQ(refusalOfWriter("text.db"), "dataset '" + in("text.db") + "' cannot be written: file is not a database");
+  EXPECT_EQ(refusalOfWriter("nowhere/a.db"), "dataset '" + in("nowhere/a.db") + "' cannot be written: '" +
+                                                 in("nowhere/a.db.lock") + "': No such file or directory");
+  EXPECT_EQ(test::refusalOf<DatasetError>([&] { writeDataset(in("text.db"), {}); }),
+            "dataset '" + in("text.db") + "' cannot be written: there is such a file already");
   EXPECT_EQ(std::filesystem::file_size(in("text.db")), 5000u);
 }
 
@@ -255,7 +268,8 @@ TEST_F(DatasetStore, RefusesANewerSchemaAndOtherDatabases) {
   EXPECT_EQ(refusal("newer.db"),
             "dataset '" + in("newer.db") + "' has schema version 2, expected 1: it was made by a newer lstm_planner");
   EXPECT_EQ(refusal("other.db"), "'" + in("other.db") + "' is a database, but not a dataset of lstm_planner");
-  EXPECT_THROW(DatasetWriter(in("newer.db"), exampleDescription()), DatasetError);
+  EXPECT_EQ(test::refusalOf<DatasetError>([&] { DatasetWriter(in("newer.db"), exampleDescription()); }),
+            refusal("newer.db"));
 }
 
 TEST_F(DatasetStore, SaysSoWhenAFileWasCutOffAnywhere) {

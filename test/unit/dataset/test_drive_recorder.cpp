@@ -524,7 +524,12 @@ TEST(RecorderParameters, ComeBackFromJson) {
   parameters.keep_scans = false;
   parameters.action_angles = {-1.0, 0.0, 1.0};
   parameters.agent.shield.footprint_radius = 0.3;
-  EXPECT_EQ(toJson(recorderParametersFromJson(toJson(parameters))), toJson(parameters));
+  const RecorderParameters read = recorderParametersFromJson(toJson(parameters));
+  EXPECT_EQ(read.period, 0.25);
+  EXPECT_FALSE(read.keep_scans);
+  EXPECT_EQ(read.action_angles, parameters.action_angles);
+  EXPECT_EQ(read.agent.shield.footprint_radius, 0.3);
+  EXPECT_EQ(toJson(read), toJson(parameters));
 }
 
 TEST(RecorderParameters, AreRefusedWithTheirNameAndValue) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/network/network.hpp"
+#include "support/refusal.hpp"
 #include "unit/network/network_fixtures.hpp"
 
 namespace lstm_planner::test_network {
@@ -235,8 +236,12 @@ TEST(Network, ItsOwnOutputIsAValidInput) {
 
 TEST(Network, LayersThatDoNotFitAreRefused) {
   LayerMaker make(35);
-  EXPECT_THROW(Network({make.lstm(11, 8), make.dense(7, 8)}), std::invalid_argument);
-  EXPECT_THROW(Network({}), std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] {
+              Network({make.lstm(11, 8), make.dense(7, 8)});
+            }),
+            "layer 2 (dense) takes 7 values, but the layer before it gives 8");
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([] { Network(LayerStack{}); }),
+            "the network has no layers, expected at least one");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/simulation/create2.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner::test_create2 {
 namespace {
@@ -184,14 +185,12 @@ TEST(Create2, SlipsAlikeForTheSameSeed) {
 TEST(Create2, RefusesImpossibleParameters) {
   Create2Parameters parameters;
   parameters.axle_length = 0.0;
-  EXPECT_THROW(Create2(parameters, {}, 1), std::invalid_argument);
-  parameters = {};
-  parameters.slip = -0.1;
-  EXPECT_THROW(validate(parameters), std::invalid_argument);
-  parameters = {};
-  parameters.odometry_error = -0.02;
-  EXPECT_THROW(validate(parameters), std::invalid_argument);
-  EXPECT_THROW(Create2({}, {HUGE_VAL, 0.0, 0.0}, 1), std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] { Create2(parameters, {}, 1); }),
+            "parameter axle_length is 0, expected a number in [0.01, 5]");
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([] {
+              Create2({}, {HUGE_VAL, 0.0, 0.0}, 1);
+            }),
+            "the robot's first pose is not finite");
 }
 
 }  // namespace

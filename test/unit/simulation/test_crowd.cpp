@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/simulation/crowd.hpp"
+#include "support/refusal.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 
 namespace lstm_planner::test_crowd {
@@ -110,9 +111,11 @@ TEST_F(CrowdTest, IsTheSameForTheSameSeed) {
 }
 
 TEST_F(CrowdTest, RefusesWorldsWithoutPlace) {
-  EXPECT_THROW(Crowd(hall, {}, {}, {5.0, 5.0}, 1), std::invalid_argument);
-  const std::vector<Point2> only_the_robots_place{{5.0, 5.0}};
-  EXPECT_THROW(Crowd(hall, only_the_robots_place, {}, {5.0, 5.0}, 1), std::invalid_argument);
+  const auto refusal = [this](const std::vector<Point2>& places) {
+    return test::refusalOf<std::invalid_argument>([&] { Crowd(hall, places, {}, {5.0, 5.0}, 1); });
+  };
+  EXPECT_EQ(refusal({}).rfind("there is no place for a walker of radius ", 0), 0u) << refusal({});
+  EXPECT_EQ(refusal({{5.0, 5.0}}), "there is no place for a walker away from the robot");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "lstm_planner/simulation/crowd.hpp"
 #include "lstm_planner/simulation/drive.hpp"
+#include "support/refusal.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 
 namespace lstm_planner::test_drive {
@@ -96,9 +97,15 @@ TEST(DrawTasks, EveryTaskCanBeDriven) {
 
 TEST(DrawTasks, RefusesAMapWithoutTasks) {
   const GridWorld full(OccupancyGrid(40, 40, 0.05, {}, Cell::kOccupied));
-  EXPECT_THROW(drawTasks(full, 1, 0.17425, 0.1, 1.0, 1), std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] {
+              drawTasks(full, 1, 0.17425, 0.1, 1.0, 1);
+            }).rfind("there is no place for a disc ", 0),
+            0u);
   const GridWorld small(test::emptyHall(2.0, 2.0));
-  EXPECT_THROW(drawTasks(small, 1, 0.17425, 0.1, 5.0, 1), std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] {
+              drawTasks(small, 1, 0.17425, 0.1, 5.0, 1);
+            }).rfind("there are no two places at least 5 m apart ", 0),
+            0u);
 }
 
 TEST(Drive, ReachesAGoalInAnEmptyHall) {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/simulation/hokuyo.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner::test_hokuyo {
 namespace {
@@ -135,14 +136,12 @@ TEST(Hokuyo, RepeatsItselfForTheSameSeed) {
 
 TEST(Hokuyo, RefusesImpossibleParameters) {
   HokuyoParameters parameters;
+  const auto refusal = [&] { return test::refusalOf<std::invalid_argument>([&] { Hokuyo(parameters, 1); }); };
   parameters.beams = 0;
-  EXPECT_THROW(Hokuyo(parameters, 1), std::invalid_argument);
+  EXPECT_EQ(refusal(), "parameter beams is 0, expected a number in [1, 100000]");
   parameters = {};
   parameters.range_max = 0.0;
-  EXPECT_THROW(validate(parameters), std::invalid_argument);
-  parameters = {};
-  parameters.dropout = 1.5;
-  EXPECT_THROW(validate(parameters), std::invalid_argument);
+  EXPECT_EQ(refusal(), "parameter range_max is 0, expected a distance above range_min");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "lstm_planner/simulation/crowd.hpp"
 #include "lstm_planner/simulation/simulated_robot.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner::test_simulated_robot {
 namespace {
@@ -177,13 +178,16 @@ TEST(SimulatedRobot, ObeysCommandsWhenTheLatencyHasPassed) {
 TEST(SimulatedRobot, RefusesAPhysicsPeriodWithWhichTimeWouldNotPass) {
   const CircleWorld world({});
   SimulatedRobot::Parameters parameters;
+  const auto refusal = [&] {
+    return test::refusalOf<std::invalid_argument>([&] { SimulatedRobot(world, parameters, {}, 1); });
+  };
   for (const double period : {0.0, -0.02, std::numeric_limits<double>::quiet_NaN()}) {
     parameters.physics_period = period;
-    EXPECT_THROW(SimulatedRobot(world, parameters, {}, 1), std::invalid_argument);
+    EXPECT_EQ(refusal().rfind("parameter physics_period is ", 0), 0u) << period << ": " << refusal();
   }
   parameters = {};
   parameters.latency = -0.1;
-  EXPECT_THROW(SimulatedRobot(world, parameters, {}, 1), std::invalid_argument);
+  EXPECT_EQ(refusal(), "parameter latency is -0.1, expected a number in [0, 10]");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "lstm_planner/simulation/trace_picture.hpp"
+#include "support/refusal.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lstm_planner::test_trace_picture {
@@ -103,9 +104,17 @@ TEST(TracePicture, DrawsThingsFarOutsideTheMapWithoutHarm) {
 }
 
 TEST(TracePicture, RefusesWhatCannotBeDrawnOrWritten) {
-  EXPECT_THROW(writeTracePicture("/tmp/picture.png", OccupancyGrid(), {}), std::invalid_argument);
-  EXPECT_THROW(writeTracePicture("/no/such/folder/picture.png", room(), {}), std::runtime_error);
-  EXPECT_THROW(writeTracePicture(test::ScratchFolder() / "picture.unknown", room(), {}), std::runtime_error);
+  const test::ScratchFolder folder;
+  const auto refusal = [&](const std::string& name, const OccupancyGrid& map) {
+    return test::refusalOf([&] { writeTracePicture(folder / name, map, {}); });
+  };
+  const std::string missing = "missing/picture.png";
+  const std::string unknown = "picture.unknown";
+  EXPECT_EQ(refusal("picture.png", OccupancyGrid()), "an empty map cannot be drawn");
+  EXPECT_EQ(refusal(missing, room()),
+            "picture '" + folder / missing + "' cannot be written: No such file or directory");
+  EXPECT_EQ(refusal(unknown, room()),
+            "picture '" + folder / unknown + "' cannot be written (expected a path to a .png or .jpg)");
 }
 
 }  // namespace

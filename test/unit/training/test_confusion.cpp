@@ -10,6 +10,7 @@
 
 #include "lstm_planner/training/confusion.hpp"
 #include "support/picture_check.hpp"
+#include "support/refusal.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lstm_planner::test_confusion {
@@ -50,7 +51,10 @@ TEST(Confusion, TextHasARowALabelWithItsRecallAndARowOfPrecisions) {
             "             0       2       6       0    75.0\n"
             "            45       0       0       0       -\n"
             "precision          0.0    60.0       -\n");
-  EXPECT_THROW(confusionText(confusion(), {"-45", "0"}), std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([] {
+              confusionText(confusion(), {"-45", "0"});
+            }),
+            "the confusion matrix has 3 classes, expected 2 as there are names");
 }
 
 TEST(Confusion, PictureIsDrawnAndTheCountsAreBesideIt) {

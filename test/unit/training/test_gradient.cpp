@@ -10,6 +10,7 @@
 #include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/lane_network.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
+#include "support/refusal.hpp"
 #include "training/lane_kernels.hpp"
 #include "unit/training/gradient_fixtures.hpp"
 
@@ -229,15 +230,20 @@ TEST(SequenceGradient, EmptyBatchHasNoLossAndNoGradient) {
 TEST(SequenceGradient, RefusesWhatItCannotTrain) {
   LayerStack softmax_inside = makeDenseStack(kInputs, {4}, kOutputs);
   softmax_inside.insert(softmax_inside.begin() + 1, SoftmaxLayer{});
-  EXPECT_THROW(SequenceGradient{softmax_inside}, std::invalid_argument);
-  EXPECT_THROW(SequenceGradient{LayerStack{}}, std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] { SequenceGradient{softmax_inside}; }),
+            "a softmax can only be trained as the last of several layers, with the cross-entropy");
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([] { SequenceGradient{LayerStack{}}; }),
+            "the network has no layers, expected at least one");
   const LayerStack softmax_last = {makeDenseStack(kInputs, {}, kOutputs)[0], SoftmaxLayer{}};
   EXPECT_NO_THROW(SequenceGradient{softmax_last});
-  EXPECT_THROW(SequenceGradient(softmax_last, Loss::kEuclidean), std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] { SequenceGradient(softmax_last, Loss::kEuclidean); }),
+            "the last layer is a softmax, which cannot be trained with the Euclidean loss");
   const LayerStack layers = makeDenseStack(kInputs, {4}, kOutputs);
   Random random(1);
   const Sequence sequence = randomSequence(2, random);
-  EXPECT_THROW(SequenceGradient(layers).loss(Eigen::VectorXf::Zero(3), {&sequence}), std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>(
+                [&] { SequenceGradient(layers).loss(Eigen::VectorXf::Zero(3), {&sequence}); }),
+            "parameter vector has 3 values, the layers expect 36");
 }
 
 TEST(ParameterVector, RoundTripKeepsEveryParameterAndTellsWeightsFromBiases) {

@@ -6,6 +6,7 @@
 #include "lstm_planner/training/imitation_rounds.hpp"
 #include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
+#include "support/refusal.hpp"
 #include "unit/training/toy_tasks.hpp"
 
 namespace lstm_planner::test_imitation_rounds {
@@ -110,7 +111,8 @@ TEST(ImitationRounds, GoOnAfterABreakAsIfThereHadBeenNone) {
 TEST(ImitationRounds, RefuseAStateOfMoreRounds) {
   ImitationState state;
   state.learners.resize(2);
-  EXPECT_THROW(parityRounds()->restore(toBytes(state)), std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] { parityRounds()->restore(toBytes(state)); }),
+            "the imitation's state is of round 3, expected 2 at most");
 }
 
 TEST(ImitationState, IsNotReadFromOtherBytes) {

@@ -3,9 +3,11 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner::test_initialisation {
 namespace {
@@ -43,16 +45,24 @@ TEST(Initialisation, SeedDecidesTheWeights) {
 }
 
 TEST(Initialisation, RefusesImpossibleSizesAndRanges) {
-  EXPECT_THROW(makeLstmStack(0, {8}, 5), std::invalid_argument);
-  EXPECT_THROW(makeLstmStack(4, {8, 0}, 5), std::invalid_argument);
-  EXPECT_THROW(makeDenseStack(4, {8}, -1), std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([] { makeLstmStack(0, {8}, 5); }),
+            "layer size is 0, expected at least 1");
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([] {
+              makeLstmStack(4, {8, 0}, 5);
+            }),
+            "layer size is 0, expected at least 1");
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([] { makeDenseStack(4, {8}, -1); }),
+            "layer size is -1, expected at least 1");
   const LayerStack layers = makeLstmStack(4, {3}, 2);
   InitialisationParameters parameters;
+  const auto refusal = [&] {
+    return test::refusalOf<std::invalid_argument>([&] { initialised(layers, 1, parameters); });
+  };
   parameters.range = 0.0;
-  EXPECT_THROW(initialised(layers, 1, parameters), std::invalid_argument);
+  EXPECT_EQ(refusal(), "parameter range is 0, expected a positive number");
   parameters = {};
   parameters.forget_gate_bias = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(initialised(layers, 1, parameters), std::invalid_argument);
+  EXPECT_EQ(refusal(), "forget_gate_bias is not finite, expected a number");
 }
 
 TEST(NetworkShape, TheThesissNetworksHaveTheirNumbersOfWeights) {
@@ -94,32 +104,38 @@ TEST(NetworkShape, ActivationsAreThoseOfTheHiddenLayers) {
   EXPECT_EQ(std::get<DenseLayer>(layers[3]).activation, Activation::kIdentity);
 }
 
+std::string refusalOf(const NetworkShape& shape) {
+  return test::refusalOf<std::invalid_argument>([&] { makeNetwork(3, shape, 2); });
+}
+
 TEST(NetworkShape, RefusesActivationsOfLayersThatItDoesNotHave) {
   NetworkShape lstm;
   lstm.activation = Activation::kRelu;
-  EXPECT_THROW(makeNetwork(3, lstm, 2), std::invalid_argument);
+  EXPECT_EQ(refusalOf(lstm), "a network has an activation of dense layers, but no dense layer besides the last");
   NetworkShape perceptron;
   perceptron.kind = NetworkShape::Kind::kMlp;
   perceptron.activation = Activation::kRelu;
-  EXPECT_NO_THROW(makeNetwork(3, perceptron, 2));
+  EXPECT_EQ(refusalOf(perceptron), "");
   perceptron.candidate = Activation::kSigmoid;
-  EXPECT_THROW(makeNetwork(3, perceptron, 2), std::invalid_argument);
+  EXPECT_EQ(refusalOf(perceptron), "a network has a candidate that is not tanh, but no LSTM layer");
   perceptron.candidate = Activation::kTanh;
   perceptron.activation = Activation::kIdentity;  // layers without one are a single layer
-  EXPECT_THROW(makeNetwork(3, perceptron, 2), std::invalid_argument);
+  EXPECT_EQ(refusalOf(perceptron), "a network's dense layers have no activation, expected tanh, sigmoid or relu");
 }
 
 TEST(NetworkShape, RefusesWhatIsNoNetwork) {
   NetworkShape shape;
   shape.cells = {};
-  EXPECT_THROW(makeNetwork(3, shape, 2), std::invalid_argument);
+  EXPECT_EQ(refusalOf(shape), "a network has no cells, expected at least one layer of them");
   shape.cells = {8};
   shape.deep_out = {0};
-  EXPECT_THROW(makeNetwork(3, shape, 2), std::invalid_argument);
+  EXPECT_EQ(refusalOf(shape), "layer size is 0, expected at least 1");
   shape.deep_out = {4};
-  EXPECT_NO_THROW(makeNetwork(3, shape, 2));
-  shape.kind = NetworkShape::Kind::kMlp;  // has no recurrent layer to be behind
-  EXPECT_THROW(makeNetwork(3, shape, 2), std::invalid_argument);
+  EXPECT_EQ(refusalOf(shape), "");
+  shape.kind = NetworkShape::Kind::kMlp;
+  EXPECT_EQ(refusalOf(shape),
+            "an mlp has deep-in or deep-out layers, expected none: it has no recurrent layer that they are before or "
+            "behind");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/memory_comparison.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
+#include "support/refusal.hpp"
 #include "training/input_sensitivity.hpp"
 #include "unit/training/gradient_fixtures.hpp"
 
@@ -96,12 +97,16 @@ TEST(FirstStepSensitivity, IsExactWhereSinglePrecisionEnds) {
 }
 
 TEST(FirstStepSensitivity, RefusesWhatHasNone) {
+  const auto refusal = [](const LayerStack& layers, const std::vector<Sequence>& sequences) {
+    return test::refusalOf<std::invalid_argument>([&] { firstStepSensitivity(layers, sequences); });
+  };
   const LayerStack lstm = makeLstmStack(3, {4}, 2);
-  EXPECT_THROW(firstStepSensitivity(makeDenseStack(3, {4}, 2), recallSequences(2, 3, 1)), std::invalid_argument);
-  EXPECT_THROW(firstStepSensitivity(lstm, {}), std::invalid_argument);
+  EXPECT_EQ(refusal(makeDenseStack(3, {4}, 2), recallSequences(2, 3, 1)),
+            "the first layer is not recurrent, expected LSTM or plain recurrent");
+  EXPECT_EQ(refusal(lstm, {}), "there are no sequences, expected at least one");
   std::vector<Sequence> ragged = recallSequences(1, 3, 1);
   ragged.push_back(recallSequences(1, 4, 1).front());
-  EXPECT_THROW(firstStepSensitivity(lstm, ragged), std::invalid_argument);
+  EXPECT_EQ(refusal(lstm, ragged), "the sequences differ in length, expected one length");
 }
 
 }  // namespace

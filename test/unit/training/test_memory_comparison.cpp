@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <string>
 
 #include "lstm_planner/training/memory_comparison.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner::test_memory_comparison {
 namespace {
@@ -54,11 +56,12 @@ TEST(MemoryComparison, TellsNothingOfUnitsThatDependOnNoInput) {
 
 TEST(MemoryComparison, RefusesADelayThatIsNotMeasured) {
   MemoryComparisonParameters parameters = shortComparison();
+  const auto refusal = [&] { return test::refusalOf<std::invalid_argument>([&] { validate(parameters); }); };
   parameters.shown_delay = 5;
-  EXPECT_THROW(validate(parameters), std::invalid_argument);
+  EXPECT_EQ(refusal(), "parameter shown_delay is 5, expected one of the delays");
   parameters = shortComparison();
   parameters.delays = {};
-  EXPECT_THROW(validate(parameters), std::invalid_argument);
+  EXPECT_EQ(refusal(), "delays is empty, expected at least one");
 }
 
 }  // namespace

@@ -3,8 +3,10 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "lstm_planner/training/optimiser.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner::test_optimiser {
 namespace {
@@ -101,17 +103,19 @@ TEST(Optimiser, CosineScheduleFallsFromTheLearningRateToZero) {
 }
 
 TEST(Optimiser, RefusesParametersOutOfRange) {
-  const auto refused = [](auto change) {
+  const auto refused = [](auto change, const std::string& reason) {
     OptimiserParameters parameters;
     change(parameters);
-    EXPECT_THROW(validate(parameters), std::invalid_argument);
+    EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] { validate(parameters); }), "parameter " + reason);
   };
   EXPECT_NO_THROW(validate(OptimiserParameters{}));
-  refused([](OptimiserParameters& p) { p.learning_rate = 0.0; });
-  refused([](OptimiserParameters& p) { p.learning_rate = std::numeric_limits<double>::quiet_NaN(); });
-  refused([](OptimiserParameters& p) { p.momentum = 1.0; });
-  refused([](OptimiserParameters& p) { p.l1_decay = -1.0; });
-  refused([](OptimiserParameters& p) { p.max_gradient_norm = -1.0; });
+  refused([](OptimiserParameters& p) { p.learning_rate = 0.0; }, "learning_rate is 0, expected a positive number");
+  refused([](OptimiserParameters& p) { p.learning_rate = std::numeric_limits<double>::quiet_NaN(); },
+          "learning_rate is nan, expected a positive number");
+  refused([](OptimiserParameters& p) { p.momentum = 1.0; }, "momentum is 1, expected a number in [0, 1)");
+  refused([](OptimiserParameters& p) { p.l1_decay = -1.0; }, "l1_decay is -1, expected a number that is not negative");
+  refused([](OptimiserParameters& p) { p.max_gradient_norm = -1.0; },
+          "max_gradient_norm is -1, expected a number that is not negative");
 }
 
 }  // namespace

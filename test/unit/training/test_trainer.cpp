@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 #include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
 #include "lstm_planner/training/trainer.hpp"
+#include "support/refusal.hpp"
 #include "unit/training/toy_tasks.hpp"
 
 namespace lstm_planner::test_trainer {
@@ -230,10 +232,13 @@ TEST(Trainer, RefusesTheStateOfAnotherNetwork) {
   TrainingState state;
   train(startingLayers(), paritySequences(4, 5, 1), {}, parameters, {}, &state);
   parameters.epochs = 2;
-  LayerStack other = makeLstmStack(1, {3}, 2);
-  EXPECT_THROW(train(other, paritySequences(4, 5, 1), {}, parameters, {}, &state), std::invalid_argument);
-  parameters.averaging = 0.9;  // the state has no average
-  EXPECT_THROW(train(startingLayers(), paritySequences(4, 5, 1), {}, parameters, {}, &state), std::invalid_argument);
+  const auto refusal = [&](const LayerStack& layers) {
+    return test::refusalOf<std::invalid_argument>(
+        [&] { train(layers, paritySequences(4, 5, 1), {}, parameters, {}, &state); });
+  };
+  EXPECT_EQ(refusal(makeLstmStack(1, {3}, 2)), "the training's state has 444 weights, the layers have 68");
+  parameters.averaging = 0.9;
+  EXPECT_EQ(refusal(startingLayers()), "the training's state has 0 averaged weights, expected 444");
 }
 
 TEST(Trainer, ConfusionCountsLabelsByRowAndAnswersByColumn) {
@@ -255,26 +260,33 @@ TEST(Trainer, SaysWhenTrainingDiverges) {
   parameters.optimiser.kind = OptimiserKind::kMomentum;
   parameters.optimiser.learning_rate = 1e38;
   parameters.optimiser.max_gradient_norm = 0.0;
-  EXPECT_THROW(train(startingLayers(), paritySequences(20, 5, 1), {}, parameters), std::runtime_error);
+  const std::string sentence =
+      test::refusalOf<std::runtime_error>([&] { train(startingLayers(), paritySequences(20, 5, 1), {}, parameters); });
+  EXPECT_EQ(sentence.rfind("training diverged: the training loss of epoch ", 0), 0u) << sentence;
 }
 
 TEST(Trainer, RefusesBadParametersAndSets) {
   const LayerStack layers = startingLayers();
   const auto good = paritySequences(4, 5, 1);
-  const auto refused = [&](auto change) {
+  const auto refusal = [&](const std::vector<Sequence>& sequences, const TrainerParameters& parameters) {
+    return test::refusalOf<std::invalid_argument>([&] { train(layers, sequences, {}, parameters); });
+  };
+  const auto refused = [&](auto change, const std::string& reason) {
     TrainerParameters parameters;
     change(parameters);
-    EXPECT_THROW(train(layers, good, {}, parameters), std::invalid_argument);
+    EXPECT_EQ(refusal(good, parameters), "parameter " + reason);
   };
-  refused([](TrainerParameters& p) { p.epochs = 0; });
-  refused([](TrainerParameters& p) { p.batch_size = 0; });
-  refused([](TrainerParameters& p) { p.threads = -1; });
-  refused([](TrainerParameters& p) { p.averaging = 1.0; });
-  refused([](TrainerParameters& p) { p.optimiser.learning_rate = -1.0; });
-  EXPECT_THROW(train(layers, {}, {}, {}), std::invalid_argument);
+  refused([](TrainerParameters& p) { p.epochs = 0; }, "epochs is 0, expected at least 1");
+  refused([](TrainerParameters& p) { p.batch_size = 0; }, "batch_size is 0, expected at least 1");
+  refused([](TrainerParameters& p) { p.threads = -1; }, "threads is -1, expected at least 1");
+  refused([](TrainerParameters& p) { p.averaging = 1.0; }, "averaging is 1, expected a share in [0, 1)");
+  refused([](TrainerParameters& p) { p.optimiser.learning_rate = -1.0; },
+          "learning_rate is -1, expected a positive number");
+  EXPECT_EQ(refusal({}, {}), "training set of 0 sequences has no step with a weight above 0, expected at least one");
   auto without_weights = good;
   for (Sequence& sequence : without_weights) sequence.weights.setZero();
-  EXPECT_THROW(train(layers, without_weights, {}, {}), std::invalid_argument);
+  EXPECT_EQ(refusal(without_weights, {}),
+            "training set of 4 sequences has no step with a weight above 0, expected at least one");
   EXPECT_EQ(evaluate(layers, {}).accuracy(), 0.0);
 }
 

@@ -14,6 +14,7 @@
 #include "lstm_planner/training/parameter_vector.hpp"
 #include "lstm_planner/training/training_stability.hpp"
 #include "support/picture_check.hpp"
+#include "support/refusal.hpp"
 #include "support/scratch_folder.hpp"
 #include "unit/training/toy_tasks.hpp"
 
@@ -77,7 +78,8 @@ TEST(TrainingStability, IsNotMeasuredWithoutAveraging) {
   const std::vector<Sequence> training = recallSequences(10, 3, 1);
   TrainingState state;
   train(startingLayers(), training, {}, parameters, {}, &state);
-  EXPECT_THROW(measureEpoch(startingLayers(), state, training, 1), std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] { measureEpoch(startingLayers(), state, training, 1); }),
+            "a training without averaged weights or epochs has no stability to be measured");
 }
 
 std::vector<EpochAccuracies> collapse() {
@@ -109,7 +111,12 @@ TEST(TrainingStability, PictureShowsTheCurvesAndTheCsvHasALineAnEpoch) {
   const std::string csv = folder.read("it.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 251);
   EXPECT_EQ(csv.substr(0, csv.find('\n')), "epoch,moving,snapshot,averaged,validation_snapshot,validation_averaged");
-  EXPECT_THROW(writeStability(folder / "missing/it.png", {}), std::runtime_error);
+  const auto refusal = [&](const std::string& name, const std::vector<EpochAccuracies>& epochs) {
+    return test::refusalOf<std::runtime_error>([&] { writeStability(folder / name, epochs); });
+  };
+  EXPECT_EQ(refusal("none.png", {}), "stability '" + folder / "none.png" + "' has no epochs, expected at least one");
+  EXPECT_NE(refusal("missing/it.png", collapse()).find("No such file or directory"), std::string::npos)
+      << refusal("missing/it.png", collapse());
 }
 
 }  // namespace

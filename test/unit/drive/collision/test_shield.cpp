@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "lstm_planner/common/arc.hpp"
 #include "lstm_planner/common/random.hpp"
 #include "lstm_planner/drive/collision/shield.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner::test_shield {
 namespace {
@@ -234,11 +236,17 @@ TEST(ShieldArc, TellsTheSmallestGapOfAnArc) {
 
 TEST(Shield, RefusesADiscThatItCannotWatch) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(Shield(Footprint(0.0), 0.03, 2.5), std::invalid_argument);
-  EXPECT_THROW(Shield(Footprint(0.2), -0.01, 2.5), std::invalid_argument);
-  EXPECT_THROW(Shield(Footprint(0.2), 0.03, 0.23), std::invalid_argument);
-  EXPECT_THROW(Shield(Footprint(nan), 0.03, 2.5), std::invalid_argument);
-  EXPECT_THROW(Shield(Footprint(0.2), 0.03, nan), std::invalid_argument);
+  const auto refusal = [](double radius, double margin, double reach) {
+    return test::refusalOf<std::invalid_argument>([&] { Shield(Footprint(radius), margin, reach); });
+  };
+  const std::string expected = ", expected 0 < radius, 0 <= margin, radius + margin < reach";
+  EXPECT_EQ(refusal(0.0, 0.03, 2.5), "the footprint's radius is 0, expected a positive number");
+  EXPECT_EQ(refusal(nan, 0.03, 2.5), "the footprint's radius is nan, expected a positive number");
+  EXPECT_EQ(refusal(0.2, -0.01, 2.5),
+            "the footprint radius is 0.2, the hard margin -0.01 and the reach 2.5" + expected);
+  EXPECT_EQ(refusal(0.2, 0.03, 0.23),
+            "the footprint radius is 0.2, the hard margin 0.03 and the reach 0.23" + expected);
+  EXPECT_EQ(refusal(0.2, 0.03, nan), "the footprint radius is 0.2, the hard margin 0.03 and the reach nan" + expected);
 }
 
 TEST(Shield, PassesOverWhatIsNoNumber) {

@@ -3,9 +3,11 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "lstm_planner/common/geometry.hpp"
 #include "lstm_planner/drive/decision/action_set.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner::test_action_set {
 namespace {
@@ -45,13 +47,17 @@ TEST(ActionSet, LooksForTheNearestAcrossTheCut) {
 
 TEST(ActionSet, RefusesSetsThatCannotBeChosenFrom) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(ActionSet(std::vector<double>{}), std::invalid_argument);
-  EXPECT_THROW(ActionSet({0.0}), std::invalid_argument);
-  EXPECT_THROW(ActionSet({0.5, -0.5}), std::invalid_argument);
-  EXPECT_THROW(ActionSet({0.5, 0.5}), std::invalid_argument);
-  EXPECT_THROW(ActionSet({0.0, 3.2}), std::invalid_argument);
-  EXPECT_THROW(ActionSet({nan, 0.5}), std::invalid_argument);
-  EXPECT_THROW(ActionSet({0.5, nan}), std::invalid_argument);
+  const auto refusal = [](const std::vector<double>& angles) {
+    return test::refusalOf<std::invalid_argument>([&] { ActionSet{angles}; });
+  };
+  EXPECT_EQ(refusal({}), "the action set has 0 steering angles, at least two are needed");
+  EXPECT_EQ(refusal({0.0}), "the action set has 1 steering angles, at least two are needed");
+  const std::string expected = ", expected ascending angles within [-pi, pi]";
+  EXPECT_EQ(refusal({0.5, -0.5}), "steering angle 1 is -0.5" + expected);
+  EXPECT_EQ(refusal({0.5, 0.5}), "steering angle 1 is 0.5" + expected);
+  EXPECT_EQ(refusal({0.0, 3.2}), "steering angle 1 is 3.2" + expected);
+  EXPECT_EQ(refusal({nan, 0.5}), "steering angle 0 is nan" + expected);
+  EXPECT_EQ(refusal({0.5, nan}), "steering angle 1 is nan" + expected);
 }
 
 }  // namespace

@@ -150,12 +150,13 @@ TEST(AgentParameters, AMemoryThatSuitsTheFootprintStaysAsItIs) {
 
 TEST(AgentParameters, AWaypointMustNotBeReachedWhereItIsChosen) {
   // Or every question would be a new step.
-  EXPECT_NE(complaintAbout([](AgentParameters* p) { p->step.reached = p->shield.shortest_step; }), "");
-  EXPECT_NE(complaintAbout([](AgentParameters* p) {
+  EXPECT_EQ(complaintAbout([](AgentParameters* p) { p->step.reached = p->shield.shortest_step; }),
+            "parameter step/reached is 0.15, expected less than shield/shortest_step = 0.15");
+  EXPECT_EQ(complaintAbout([](AgentParameters* p) {
               p->step.reached = 0.1;
               p->goal_tolerance = 0.1;
             }),
-            "");
+            "parameter step/reached is 0.1, expected less than goal_tolerance = 0.1");
 }
 
 }  // namespace

@@ -61,7 +61,8 @@ TEST(DrivePolicy, MalformedMetadataIsRefused) {
   for (const auto& [key, value] : bad) {
     Metadata metadata = complete;
     metadata[key] = value;
-    EXPECT_THROW(readPolicyDescription(metadata), std::invalid_argument) << key << " = '" << value << "'";
+    const std::string complaint = test::refusalOf<std::invalid_argument>([&] { readPolicyDescription(metadata); });
+    EXPECT_EQ(complaint.rfind("in the metadata " + key, 0), 0u) << key << " = '" << value << "': " << complaint;
   }
 }
 

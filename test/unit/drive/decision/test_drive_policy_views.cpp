@@ -10,6 +10,7 @@
 #include "lstm_planner/drive/decision/drive_policy.hpp"
 #include "lstm_planner/training/initialisation.hpp"
 #include "support/heap_count.hpp"
+#include "support/refusal.hpp"
 #include "support/scratch_folder.hpp"
 #include "unit/network/network_fixtures.hpp"
 
@@ -148,10 +149,12 @@ TEST(DrivePolicyViews, AllocateNothingOnceWarm) {
 TEST(DrivePolicyViews, RefuseWhatDoesNotFit) {
   const LayerStack one_output = makeLstmStack(14, {4}, 1);
   EXPECT_NO_THROW(DrivePolicy(eightViews(), one_output));
-  EXPECT_THROW(DrivePolicy(eightViews(), makeLstmStack(14, {4}, 5)), std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([] { DrivePolicy(eightViews(), makeLstmStack(14, {4}, 5)); }),
+            "the network has 5 outputs, eight views have 1");
   PolicyDescription between = eightViews();
   between.actions = ActionSet({-M_PI_4, 0.0, 0.5});
-  EXPECT_THROW(DrivePolicy(between, one_output), std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] { DrivePolicy(between, one_output); }),
+            "eight views need steering angles that are multiples of 45 degrees, one is 0.5 rad");
 }
 
 }  // namespace

@@ -48,6 +48,7 @@ class KeptRouteTest : public test::GuideFixture {
 
   void expectPassable(Replanner* guide) {
     const std::vector<Point2>& points = guide->route().points;
+    ASSERT_GT(points.size(), 2u) << "round something";
     for (std::size_t i = 2; i < points.size(); ++i) {
       EXPECT_TRUE(guide->isPassable(points[i - 1], points[i])) << "piece " << i;
     }

@@ -200,12 +200,12 @@ TEST(EncoderParameters, NameWhatIsWrongInTheMetadata) {
   EXPECT_EQ(refusal("range_cap", "6.0 "), "") << "the good metadata with a blank";
   EXPECT_NE(refusal("range_cap", "six").find("range_cap is 'six'"), std::string::npos);
   EXPECT_NE(refusal("range_cap", "-1").find("range_cap is '-1'"), std::string::npos);
-  EXPECT_NE(refusal("distance_scale", "nan"), "");
+  EXPECT_NE(refusal("distance_scale", "nan").find("distance_scale is 'nan'"), std::string::npos);
   EXPECT_NE(refusal("sector_count", "24").find("expected a number in [8, 8]"), std::string::npos);
   EXPECT_NE(refusal("input_layout", "sector_8").find("sector_8"), std::string::npos);
   EXPECT_NE(refusal("input_layout", "heading,heading").find("twice"), std::string::npos);
-  EXPECT_NE(refusal("input_layout", ""), "");
-  EXPECT_NE(refusal("angle_span", "6.28"), "");
+  EXPECT_NE(refusal("input_layout", "").find("input_layout is empty"), std::string::npos);
+  EXPECT_NE(refusal("angle_span", "6.28").find("angle_span is '6.28'"), std::string::npos);
   good.erase("angle_scale");
   EXPECT_NE(refusal("range_cap", "6").find("lack angle_scale"), std::string::npos);
 }

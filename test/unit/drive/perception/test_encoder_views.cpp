@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lstm_planner/drive/perception/encoder.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner::test_encoder_views {
 namespace {
@@ -115,18 +116,24 @@ TEST(EncoderViews, TravelInTheMetadataWhereThereAreEight) {
   EXPECT_EQ(views(), 1);
   writeMetadata(eightViews(EncoderParameters().input_layout), &metadata);
   EXPECT_EQ(views(), 8);
-  for (const char* wrong : {"3", "1.5", "9"}) {
+  const auto refusal = [&](const std::string& wrong) {
     metadata["views"] = wrong;
-    EXPECT_THROW(views(), std::invalid_argument) << wrong;
-  }
+    return test::refusalOf<std::invalid_argument>(views);
+  };
+  EXPECT_EQ(refusal("3"), "in the metadata views is 3, expected 1 or 8");
+  EXPECT_EQ(refusal("1.5"), "in the metadata views is '1.5', expected a whole number");
+  EXPECT_EQ(refusal("9"), "in the metadata views is '9', expected a number in [1, 8]");
 }
 
 TEST(EncoderViews, NeedEveryDirectionOrNone) {
   EXPECT_NO_THROW(validate(eightViews({"goal_bearing"})));
-  EXPECT_THROW(validate(eightViews({"goal_bearing", "sector_3"})), std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([] {
+              validate(eightViews({"goal_bearing", "sector_3"}));
+            }),
+            "input_layout names 1 of sector_0 .. sector_7, expected all of them or none for eight views");
   EncoderParameters three;
   three.views = 3;
-  EXPECT_THROW(validate(three), std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] { validate(three); }), "views is 3, expected 1 or 8");
 }
 
 }  // namespace

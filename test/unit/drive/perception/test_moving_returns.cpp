@@ -10,6 +10,7 @@
 #include "lstm_planner/drive/perception/moving_returns.hpp"
 #include "lstm_planner/drive/perception/moving_things.hpp"
 #include "lstm_planner/simulation/hokuyo.hpp"
+#include "support/refusal.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 
 namespace lstm_planner::test_moving_returns {
@@ -231,14 +232,15 @@ TEST_F(MovingReturnsTest, TakesAnEmptyScan) {
 
 TEST_F(MovingReturnsTest, RefusesTimesAndMarginsThatMakeNoSense) {
   MovingReturnsParameters parameters;
+  const auto refusal = [&] { return test::refusalOf<std::invalid_argument>([&] { MovingReturns{parameters}; }); };
   parameters.oldest = 0.1;
-  EXPECT_THROW(MovingReturns{parameters}, std::invalid_argument);
+  EXPECT_EQ(refusal(), "parameter moving/oldest is 0.1, expected more than youngest");
   parameters = {};
   parameters.range_margin = 0.0;
-  EXPECT_THROW(MovingReturns{parameters}, std::invalid_argument);
+  EXPECT_EQ(refusal(), "parameter moving/range_margin is 0, expected a number in [0.001, 10]");
   parameters = {};
   parameters.hold = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(MovingReturns{parameters}, std::invalid_argument);
+  EXPECT_EQ(refusal(), "parameter moving/hold is nan, expected a number in [0, 600]");
 }
 
 }  // namespace

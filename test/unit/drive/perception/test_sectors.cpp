@@ -140,27 +140,33 @@ std::string refusal(const LaserScan& scan, const SensorMount& mount = {}, const 
 }
 
 TEST(AverageSectors, RefusesSpansThatLeaveAGap) {
-  EXPECT_NE(refusal(makeScan(-1.5, 0.01, 301)).find("expected all of [-90, +90) degrees"), std::string::npos);
+  const auto covers = [](const std::string& span) {
+    return "the scan covers " + span + " degrees around the robot's heading, expected all of [-90, +90) degrees";
+  };
+  EXPECT_EQ(refusal(makeScan(-1.5, 0.01, 301)), covers("-85.9437 degrees to 85.9437"));
   EXPECT_EQ(refusal(makeHokuyoScan(), {{0.0, 0.0, M_PI_4}, false}), "") << "the margin of 45 degrees is used up";
-  EXPECT_NE(refusal(makeHokuyoScan(), {{0.0, 0.0, M_PI_4 + 0.01}, false}), "");
-  EXPECT_NE(refusal(makeScan(0.1, 0.01, 600)), "") << "a gap of 16 degrees ahead";
+  EXPECT_EQ(refusal(makeHokuyoScan(), {{0.0, 0.0, M_PI_4 + 0.01}, false}), covers("-89.4268 degrees to 180.573"));
+  EXPECT_EQ(refusal(makeScan(0.1, 0.01, 600)), covers("5.72958 degrees to 348.931")) << "a gap of 16 degrees ahead";
   // Half an increment may be missing at each edge, more may not.
   EXPECT_EQ(refusal(makeScan(-M_PI_2 + 0.49 * kHalfDegree, kHalfDegree, 360)), "");
-  EXPECT_NE(refusal(makeScan(-M_PI_2 + 0.6 * kHalfDegree, kHalfDegree, 360)), "");
-  EXPECT_NE(refusal(makeScan(-M_PI_2, kHalfDegree, 359)), "");
+  EXPECT_EQ(refusal(makeScan(-M_PI_2 + 0.6 * kHalfDegree, kHalfDegree, 360)), covers("-89.7 degrees to 89.8"));
+  EXPECT_EQ(refusal(makeScan(-M_PI_2, kHalfDegree, 359)), covers("-90 degrees to 89"));
 }
 
 TEST(AverageSectors, RefusesUnusableGeometry) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(refusal(makeScan(-2.0, 0.01, 0)), "");
-  EXPECT_NE(refusal(makeScan(nan, 0.01, 400)), "");
-  EXPECT_NE(refusal(makeScan(-2.0, 0.0, 400)), "");
+  const std::string expected = ", expected finite angles and an increment other than 0 of at least 1e-5 rad";
+  EXPECT_EQ(refusal(makeScan(-2.0, 0.01, 0)), "the scan has no ranges, expected at least one beam a sector");
+  EXPECT_EQ(refusal(makeScan(nan, 0.01, 400)), "the scan has angle_min nan and angle_increment 0.01" + expected);
+  EXPECT_EQ(refusal(makeScan(-2.0, 0.0, 400)), "the scan has angle_min -2 and angle_increment 0" + expected);
   EXPECT_NE(refusal(makeScan(-2.0, 1.0, 5)).find("at least one beam in each sector"), std::string::npos);
-  EXPECT_NE(refusal(makeHokuyoScan(), {{nan, 0.0, 0.0}, false}), "");
+  EXPECT_EQ(refusal(makeHokuyoScan(), {{nan, 0.0, 0.0}, false}), "the pose of the scanner on the robot is not finite");
   LaserScan scan = makeHokuyoScan();
   scan.range_max = 0.01;
-  EXPECT_NE(refusal(scan), "");
-  EXPECT_THROW(averageSectors(makeHokuyoScan(), {}, {}, 0.0), std::invalid_argument);
+  EXPECT_EQ(refusal(scan),
+            "the scan has range_min 0.023 and range_max 0.01, expected 0 or more, and range_min below range_max");
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([] { averageSectors(makeHokuyoScan(), {}, {}, 0.0); }),
+            "the range cap is 0 m, expected a positive finite distance");
 }
 
 TEST(AverageSectors, RefusesNumbersThatNoScannerHas) {
