@@ -350,6 +350,15 @@ TEST_F(NavigationAgentTest, StepListenerHearsEachStepOnceAndMayImposeAnAction) {
   EXPECT_EQ(calls, 2);
 }
 
+TEST_F(NavigationAgentTest, AnImposedActionHoldsForItsStepOnly) {
+  int calls = 0;
+  agent_.setStepListener([&calls](const Situation&, const Observation&) {
+    return calls++ == 0 ? std::optional<int>(kRight) : std::nullopt;
+  });
+  EXPECT_EQ(test::decideIn(situationAt({}), &agent_).action, kRight);
+  EXPECT_EQ(test::decideIn(situationAt({0.0, -0.4, 0.0}, 1.0), &agent_).action, kStraight);
+}
+
 TEST_F(NavigationAgentTest, AnImposedActionStillHasToPassTheShield) {
   agent_.setStepListener([](const Situation&, const Observation&) { return std::optional<int>(kStraight); });
   EXPECT_EQ(test::decideIn(situationAt({}, 0.0, wallAhead()), &agent_).action, kLeft);

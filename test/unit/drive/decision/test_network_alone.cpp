@@ -55,6 +55,12 @@ TEST_F(NetworkAloneTest, DrawsNothingIfItIsNotAllowed) {
   EXPECT_EQ(stepToAndFro({}, 200, &agent), std::set<int>{kStraight});
 }
 
+TEST_F(NetworkAloneTest, DrawsNothingWhereObstaclesAreRemembered) {
+  parameters_.memory.enabled = true;
+  NavigationAgent agent = agentTo({10.0, 0.0});
+  EXPECT_EQ(stepToAndFro({}, parameters_.draw_after + 100, &agent), std::set<int>{kStraight});
+}
+
 TEST_F(NetworkAloneTest, DrawsOnceAStepHoweverOftenItIsAsked) {
   NavigationAgent agent = agentTo({10.0, 0.0});
   stepToAndFro({}, parameters_.draw_after, &agent);

@@ -73,6 +73,15 @@ TEST(NetworkUnderBound, ADetourBeyondTheBoundIsOverruledByThePath) {
   EXPECT_EQ(decision.regret_used, used) << "what is not carried out is not counted";
 }
 
+TEST(NetworkUnderBound, ATurnOnTheSpotCountsAsAPartOfTheDetour) {
+  NavigationAgent agent = agentPreferring(kPrefersLeft);
+  const double detour = test::decideIn(situationAt({}), &agent).regret_used;
+  ASSERT_GT(detour, 0.0);
+  const Decision& decision = test::decideIn(situationAt({0.0, 0.0, M_PI_2}, 1.0), &agent);
+  ASSERT_EQ(decision.overruled, Overruled::kByBound);
+  EXPECT_NEAR(decision.regret_used, 0.5 * detour, 1e-9) << "a turn by 180 degrees counts as all of it";
+}
+
 TEST(NetworkUnderBound, AskingAgainCountsADetourOnce) {
   NavigationAgent agent = agentPreferring(kPrefersLeft);
   const double used = test::decideIn(situationAt({}), &agent).regret_used;

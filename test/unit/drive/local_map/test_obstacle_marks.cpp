@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "lstm_planner/drive/local_map/local_map.hpp"
@@ -70,6 +71,26 @@ TEST_F(ObstacleMarksTest, TakeNothingAwayThatTheScanHasSeen) {
   sense({on_the_box}, away);
   sense({}, away);
   EXPECT_TRUE(isBlocked(on_the_box));
+}
+
+TEST_F(ObstacleMarksTest, InOrBesideASquareThatTheScanHasSeenAreNoneOfTheirOwn) {
+  test::fillBox(5.0, 3.7, 5.3, 4.3, &hall_);
+  const Pose2 away{4.0, 4.0, M_PI};
+  sense({});
+  sense({}, away);
+  const std::vector<Point2> seen = memory_.obstacles();
+  Point2 lowest{5.0, 5.0};  // of the side of the box that the robot sees
+  for (const Point2& place : seen) {
+    if (std::abs(place.x - 5.0) < 0.1 && std::abs(place.y - 4.0) < 0.5 && place.y < lowest.y) lowest = place;
+  }
+  ASSERT_LT(lowest.y, 4.0);
+  const double square = kDefaults.memory.resolution;
+  for (const int squares : {0, 1, 2}) {
+    sense({{lowest.x, lowest.y - squares * square}}, away);
+    EXPECT_EQ(memory_.obstacles().size(), seen.size() + (squares < 2 ? 0 : 1)) << squares << " squares beside";
+    sense({}, away);
+    EXPECT_EQ(memory_.obstacles().size(), seen.size()) << squares << " squares beside";
+  }
 }
 
 TEST_F(ObstacleMarksTest, StayWhereTheyAreWhenTheWindowMoves) {

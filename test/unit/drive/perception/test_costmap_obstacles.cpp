@@ -94,6 +94,12 @@ TEST_F(CostmapObstaclesTest, OfAnInflatedObstacleOnlyTheLethalCellCounts) {
   EXPECT_EQ(find().size(), 1u);
 }
 
+TEST_F(CostmapObstaclesTest, AnInflatedCellWithinReachMayHaveItsReasonBeyond) {
+  mark(1.9 + kHalf, kHalf, kInscribed);
+  mark(2.05 + kHalf, kHalf);
+  EXPECT_TRUE(find().empty());
+}
+
 TEST_F(CostmapObstaclesTest, FineCellsAroundALargeRobotAreInflatedTooAndNoObstacles) {
   grid_.resolution = 0.01;
   grid_.inscribed_radius = 0.5;
