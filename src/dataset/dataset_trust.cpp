@@ -14,6 +14,7 @@
 
 #include "dataset/dataset_schema.hpp"
 #include "dataset/step_quantities.hpp"
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/dataset/drive_step.hpp"
 #include "lstm_planner/drive/perception/sectors.hpp"
 
@@ -122,10 +123,8 @@ void checkTable(Poco::Data::Session& session, const std::vector<SchemaColumn>& c
 
 void checkNumber(const std::string& name, double value) {
   if (std::abs(value) <= kLargestNumber) return;
-  std::ostringstream sentence;
-  sentence << "its " << name << " is " << value << ", expected a number from -" << kLargestNumber << " to "
-           << kLargestNumber;
-  throw std::invalid_argument(sentence.str());
+  throw std::invalid_argument("its " + name + " is " + numberText(value) + ", expected a number from -" +
+                              numberText(kLargestNumber) + " to " + numberText(kLargestNumber));
 }
 
 void checkNumbers(const DriveStep& step) {

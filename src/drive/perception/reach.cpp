@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
+
+#include "lstm_planner/common/text_table.hpp"
 
 namespace lstm_planner {
 
@@ -15,18 +16,16 @@ bool isInReach(const Pose2& pose, const Point2& goal) { return distanceBetween(p
 
 void checkPose(const Pose2& pose) {
   if (isInReach(pose)) return;
-  std::ostringstream message;
-  message << "the robot's pose in the odometry frame is (" << pose.x << ", " << pose.y << ") m with yaw " << pose.yaw
-          << ", expected at most " << kFarthestPose << " m from the origin along each axis";
-  throw std::invalid_argument(message.str());
+  throw std::invalid_argument("the robot's pose in the odometry frame is (" + numberText(pose.x) + ", " +
+                              numberText(pose.y) + ") m with yaw " + numberText(pose.yaw) + ", expected at most " +
+                              numberText(kFarthestPose) + " m from the origin along each axis");
 }
 
 void checkGoal(const Pose2& pose, const Point2& goal) {
   if (isInReach(pose, goal)) return;
-  std::ostringstream message;
-  message << "the goal is " << distanceBetween(pose, goal) << " m from the robot, expected at most " << kFarthestGoal
-          << " m: is it given in the right frame?";
-  throw std::invalid_argument(message.str());
+  throw std::invalid_argument("the goal is " + numberText(distanceBetween(pose, goal)) +
+                              " m from the robot, expected at most " + numberText(kFarthestGoal) +
+                              " m: is it given in the right frame?");
 }
 
 }  // namespace lstm_planner

@@ -6,11 +6,11 @@
 
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <vector>
 
 #include "lstm_planner/common/geometry.hpp"
+#include "lstm_planner/common/text_table.hpp"
 #include "ros/common/parameter_value.hpp"
 
 namespace lstm_planner {
@@ -43,9 +43,7 @@ std::vector<Point2> cornersByParameters(const std::string& polygon, const std::s
 
 std::string describe(const Footprint& footprint) {
   if (!footprint.isCircle()) return textOf(footprint);
-  std::ostringstream text;
-  text << "a circle of " << footprint.circumscribedRadius() << " m";
-  return text.str();
+  return "a circle of " + numberText(footprint.circumscribedRadius()) + " m";
 }
 
 }  // namespace

@@ -17,11 +17,11 @@
 #include <exception>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "lstm_planner/common/geometry.hpp"
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/drive/decision/arrival.hpp"
 #include "lstm_planner/ros/common/parameter_reader.hpp"
 #include "lstm_planner/ros/common/transform_listener.hpp"
@@ -78,11 +78,7 @@ geometry_msgs::PoseStamped goalInFrame(const geometry_msgs::PoseStamped& goal, c
 
 constexpr double kDrivesOn = 1.0;  // s after the last plan, without one to the new goal
 
-std::string withUnit(double value, const char* unit) {
-  std::ostringstream text;
-  text << value << ' ' << unit;
-  return text.str();
-}
+std::string withUnit(double value, const char* unit) { return numberText(value) + ' ' + unit; }
 
 // A service call must not keep the spinning thread, which receives the scan, for long: few neighbours are tried.
 constexpr int kRings = 3;
