@@ -20,7 +20,6 @@ constexpr int kPatience = 10000;  // ms; a writer has the file locked for some m
 
 void writeRows(const Dataset& dataset, DatasetFile* file) {
   DatasetRows rows(file);
-  StepCheck check;
   long recording_id = 0;
   long episode_id = 0;
   for (const Recording& recording : dataset.recordings) {
@@ -30,7 +29,7 @@ void writeRows(const Dataset& dataset, DatasetFile* file) {
       checkRow(episode.episode);
       rows.addEpisode(++episode_id, recording_id, episode.episode);
       for (const DriveStep& step : episode.steps) {
-        check(step, recording.description.parameters.action_angles.size());
+        checkStepWithScan(step, recording.description.parameters.action_angles.size());
         rows.addStep(episode_id, step);
       }
     }

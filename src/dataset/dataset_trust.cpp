@@ -121,12 +121,6 @@ void checkTable(Poco::Data::Session& session, const std::vector<SchemaColumn>& c
   if (!wrong.isNull()) refuse(session, columns, wrong.value());
 }
 
-void checkNumber(const std::string& name, double value) {
-  if (std::abs(value) <= kLargestNumber) return;
-  throw std::invalid_argument("its " + name + " is " + numberText(value) + ", expected a number from -" +
-                              numberText(kLargestNumber) + " to " + numberText(kLargestNumber));
-}
-
 void checkNumbers(const DriveStep& step) {
   visitColumns(step, [&](const std::string& name, const char*, const auto& number) {
     const double value = static_cast<double>(number);
@@ -172,6 +166,12 @@ void checkRow(const ScanGeometry& geometry) {
   averageSectors(scan, geometry.mount, {}, 1.0);
 }
 
+void checkNumber(const std::string& name, double value) {
+  if (std::abs(value) <= kLargestNumber) return;
+  throw std::invalid_argument("its " + name + " is " + numberText(value) + ", expected a number from -" +
+                              numberText(kLargestNumber) + " to " + numberText(kLargestNumber));
+}
+
 void checkRow(const Episode& episode) {
   checkNumber("goal_x", episode.goal.pose.x);
   checkNumber("goal_y", episode.goal.pose.y);
@@ -180,7 +180,7 @@ void checkRow(const Episode& episode) {
   checkNumber("ended", episode.ended);
 }
 
-void StepCheck::operator()(const DriveStep& step, std::size_t angles) {
+void checkStepWithScan(const DriveStep& step, std::size_t angles) {
   checkRow(step, angles);
   for (const auto* counts : {&step.beams, &step.measured}) {
     const int least = *std::min_element(counts->begin(), counts->end());
@@ -190,9 +190,7 @@ void StepCheck::operator()(const DriveStep& step, std::size_t angles) {
     throw std::invalid_argument("its scan has " + std::to_string(step.ranges.size()) + " ranges, expected " +
                                 std::to_string(step.geometry.beams) + " as in its geometry");
   }
-  if (geometry_ && *geometry_ == step.geometry) return;
   checkRow(step.geometry);
-  geometry_ = step.geometry;
 }
 
 void checkRow(const DriveStep& step, std::size_t angles) {

@@ -3,7 +3,6 @@
 #include <Poco/Data/Session.h>
 
 #include <cstddef>
-#include <optional>
 #include <string>
 
 #include "lstm_planner/dataset/dataset.hpp"
@@ -31,13 +30,11 @@ void checkRow(const Episode& episode);
 /// `angles`: the number of allowed angles of its recording.
 void checkRow(const DriveStep& step, std::size_t angles);
 
-/// The same for steps that are to be written, with their geometries: of a file's, checkValues() sees more.
-class StepCheck {
- public:
-  void operator()(const DriveStep& step, std::size_t angles);
+/// The same for a step that is to be written, and for its scan. In a file checkValues() and the geometry's row hold for
+/// the scan.
+void checkStepWithScan(const DriveStep& step, std::size_t angles);
 
- private:
-  std::optional<ScanGeometry> geometry_;  ///< of the last step: it is the same for many
-};
+/// A number that checkRow() would accept; `name`: of its column.
+void checkNumber(const std::string& name, double value);
 
 }  // namespace lstm_planner

@@ -126,7 +126,7 @@ class DatasetWriter::Implementation {
       throw std::invalid_argument("step " + std::to_string(step.number) + " was added after step " +
                                   std::to_string(last_number_) + " of the same episode");
     }
-    check_(step, angles_);
+    checkStepWithScan(step, angles_);
     last_number_ = step.number;
     if (!is_kept_ || waiting_steps_ >= kMostWaiting) {
       ++lost_;
@@ -140,9 +140,7 @@ class DatasetWriter::Implementation {
   void endEpisode(double stamp, EpisodeEnd end) {
     checkRunning();
     if (!has_episode_) throw std::logic_error("an episode was ended before one was started");
-    Episode ended;
-    ended.ended = stamp;
-    checkRow(ended);
+    checkNumber("ended", stamp);
     has_episode_ = false;
     if (is_kept_) later([id = next_episode_ - 1, stamp, end](DatasetRows* rows) { rows->endEpisode(id, stamp, end); });
     write();
@@ -247,7 +245,6 @@ class DatasetWriter::Implementation {
   }
 
   const std::size_t angles_;
-  StepCheck check_;
   std::optional<DatasetLock> lock_;
   std::optional<DatasetFile> file_;
   std::optional<DatasetRows> rows_;
