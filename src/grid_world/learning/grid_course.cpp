@@ -101,8 +101,9 @@ GridCourse::GridCourse(const GridCourseParameters& parameters, const std::vector
   if (sets.empty()) throw std::invalid_argument("there are no maps to learn or to validate on, expected at least one");
   const int goals = std::max(1, parameters.goals / static_cast<int>(sets.size()));
   for (const Set& set : sets) {
-    if (set.empty())
+    if (set.empty()) {
       throw std::invalid_argument("a set of maps to learn or to validate on is empty, expected at least one map");
+    }
     CourseSet course;
     const std::size_t copies = parameters.mirrored ? 2 : 1;
     course.maps.resize(set.size() * copies);

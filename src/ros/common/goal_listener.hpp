@@ -13,7 +13,7 @@
 
 namespace lstm_planner {
 
-/// A goal as it was given, and at which time (ros::Time) it is where it says.
+/// A goal as it was given, and the time at which its frame is meant; ros::Time(0): now.
 struct AnnouncedGoal {
   GoalInFrame goal;
   ros::Time stamp;

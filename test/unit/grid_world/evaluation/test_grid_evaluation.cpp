@@ -9,6 +9,7 @@
 #include "lstm_planner/grid_world/evaluation/grid_agent_factory.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
+#include "support/refusal.hpp"
 #include "unit/grid_world/evaluation/grid_fixtures.hpp"
 
 namespace lstm_planner::test_grid_evaluation {
@@ -110,8 +111,11 @@ TEST(GridEvaluation, CanBeSplitIntoRangesOfTasks) {
 
 TEST(GridEvaluation, RefusesTasksThatTheSetDoesNotHave) {
   const GridTaskSet set = randomSet(1, 3);
-  EXPECT_THROW(evaluateGridTasks(set, 0, 4, makerOf("greedy"), {}), std::invalid_argument);
-  EXPECT_THROW(evaluateGridTasks(set, 2, 1, makerOf("greedy"), {}), std::invalid_argument);
+  const auto refusal = [&](std::size_t first, std::size_t last) {
+    return test::refusalOf<std::invalid_argument>([&] { evaluateGridTasks(set, first, last, makerOf("greedy"), {}); });
+  };
+  EXPECT_EQ(refusal(0, 4), "the tasks from 0 to 4 are to be run, expected a range of the set's 3");
+  EXPECT_EQ(refusal(2, 1), "the tasks from 2 to 1 are to be run, expected a range of the set's 3");
   EXPECT_TRUE(evaluateGridTasks(set, 3, 3, makerOf("greedy"), {}).empty());
 }
 
