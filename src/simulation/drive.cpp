@@ -38,7 +38,8 @@ class ControlledRobot : public LoopRobot {
 
   /// Sees what the last scan showed until the scanner has taken another one.
   bool sense(double range_cap, Situation* situation) override {
-    if (robot_.time() < next_scan_) return true;
+    is_fresh_ = robot_.time() >= next_scan_;
+    if (!is_fresh_) return true;
     try {
       robot_.sense(range_cap, situation);
       if (correct_drift_) correction_.correct(situation);
@@ -63,8 +64,7 @@ class ControlledRobot : public LoopRobot {
               &plan_);
     }
     tracker_.expectReactionTime(parameters_.robot.longestScanPeriod(), 0.0, kControlPeriod);
-    const MotionCommand command =
-        tracker_.compute(plan_, situation, robot_.measuredTwist(), agent.shield(), kControlPeriod);
+    const MotionCommand command = nextCommand(situation, agent.shield());
     if (command.stop != StopReason::kStuck) stuck_since_.reset();
     if (command.stop == StopReason::kStuck && !stuck_since_) stuck_since_ = robot_.time();
     robot_.command(command);
@@ -79,6 +79,17 @@ class ControlledRobot : public LoopRobot {
   static constexpr double kSameTime = 1e-6;  // s
   double scanPeriod() const { return 1.0 / parameters_.robot.scanner.rate; }
 
+  /// `shield`: as seen from where the scan was taken.
+  MotionCommand nextCommand(const Situation& situation, const Shield& shield) {
+    if (is_fresh_) {
+      return tracker_.compute({plan_, situation.pose, robot_.measuredTwist(), shield, kControlPeriod}, situation);
+    }
+    const Pose2 pose = believedPose();
+    Shield from_here = shield;
+    from_here.moveTo(compose(inverse(situation.pose), pose));
+    return tracker_.compute({plan_, pose, robot_.measuredTwist(), from_here, kControlPeriod}, situation);
+  }
+
   SimulatedRobot& robot_;
   const DriveParameters& parameters_;
   const bool correct_drift_;
@@ -88,6 +99,7 @@ class ControlledRobot : public LoopRobot {
   Pose2 goal_;
   std::vector<Pose2> plan_;
   int tick_ = 0;
+  bool is_fresh_ = false;              ///< the scan has been taken just now
   double next_scan_ = 0.0;             ///< s
   std::optional<double> stuck_since_;  ///< s
 };

@@ -201,6 +201,31 @@ TEST_F(ControllerTest, DoesNotDriveIntoWhatTheScanShows) {
   }));
 }
 
+/// A robot that has braked: its speed does not tell any more how far it has come.
+TEST_F(ControllerTest, KnowsHowFarItHasComeSinceTheScan) {
+  // A gap of 0.08 m, of which 0.06 m are driven by the odometry alone; the margin is 0.03 m.
+  robot_.range = [](double angle) { return std::abs(angle) < 0.3 ? 0.1543F : 4.0F; };
+  ASSERT_TRUE(eventually([&] {
+    robot_.again();
+    return controller_->computeVelocityCommands(velocity_) && velocity_.linear.x > 0.0 && velocity_.linear.x < 0.2;
+  }));
+  double come = 0.0;
+  double speed = 0.3;
+  robot_.alter_odometry = [&](nav_msgs::Odometry* odometry) {
+    odometry->pose.pose.position.x += come * std::cos(robot_.pose().yaw);
+    odometry->pose.pose.position.y += come * std::sin(robot_.pose().yaw);
+    odometry->twist.twist.linear.x = speed;
+  };
+  for (int i = 0; i < 3; ++i) {
+    come += 0.02;
+    speed = i < 2 ? 0.3 : 0.0;
+    robot_.wait(0.06);
+    robot_.publishOdometry();
+  }
+  EXPECT_TRUE(eventually([&] { return controller_->computeVelocityCommands(velocity_) && velocity_.linear.x == 0.0; }))
+      << velocity_.linear.x << " m/s";
+}
+
 TEST_F(ControllerTest, DoesNotDriveIntoWhatOnlyTheCostmapShows) {
   // The robot looks along x; the gap is 0.02 m, the margin 0.03 m.
   markInCostmap({0.2, -0.1}, {0.4, 0.1});

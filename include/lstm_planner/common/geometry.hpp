@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 namespace lstm_planner {
 
@@ -59,6 +60,12 @@ inline Point2 toParentFrame(const Pose2& pose, const Point2& point) {
   const double c = std::cos(pose.yaw);
   const double s = std::sin(pose.yaw);
   return {pose.x + c * point.x - s * point.y, pose.y + s * point.x + c * point.y};
+}
+
+/// The same for several points.
+inline std::vector<Point2> toParentFrame(const Pose2& pose, std::vector<Point2> points) {
+  for (Point2& point : points) point = toParentFrame(pose, point);
+  return points;
 }
 
 /// Transforms a point from the frame in which `pose` is given to the frame of `pose`.

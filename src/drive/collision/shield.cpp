@@ -67,6 +67,8 @@ void Shield::show(const std::vector<Point2>& obstacles) {
   add(obstacles);
 }
 
+void Shield::moveTo(const Pose2& pose) { show(toParentFrame(inverse(pose), returns_)); }
+
 void Shield::add(const std::vector<Point2>& obstacles) {
   returns_.reserve(returns_.size() + obstacles.size());
   groups_.reserve(returns_.capacity() / kReturnsAGroup + 1);

@@ -100,7 +100,7 @@ MotionCommand PlanFollower::compute() {
   const double oldest = reading.second ? std::min(reading.first.stamp, reading.second->stamp) : reading.first.stamp;
   tracker_.expectReactionTime(reading.scan_period, now.toSec() - oldest, period);
   speed_ = std::abs(reading.twist.linear);
-  MotionCommand command = tracker_.compute(odometry_plan, seen_, reading.twist, shield_, period);
+  MotionCommand command = tracker_.compute({odometry_plan, reading.newest_pose, reading.twist, shield_, period}, seen_);
   sayDelay();
   idle_.note(reading.newest_pose, now.toSec(), {command.linear, command.angular});
   if (command.stop == StopReason::kNone && idle_.idle() > 0.0) command.stop = StopReason::kIdle;
@@ -133,7 +133,7 @@ std::string PlanFollower::whatBlocks(const std::string& why) const {
     return gap;
   };
   const double marked = nearest(marked_);
-  if (marked >= nearest(seen_.obstacles) || marked > kNearMark) return why;
+  if (marked >= nearest(known_) || marked > kNearMark) return why;
   const std::string text =
       "an obstacle of the costmap, which the scan does not show, is " + fixedText(marked, 2) + " m away";
   return why.empty() ? text : why + "; " + text;
@@ -176,19 +176,18 @@ void PlanFollower::perceive(const SensorReading& reading, const ros::Time& now) 
     tracker_.forget();
     out_of_view_.forget();
   }
-  shield_.show(seen_.obstacles);
+  known_ = seen_.obstacles;
   if (!shield_.footprint().isCircle()) {
     out_of_view_.show(seen_);
-    shield_.add(out_of_view_.points());
+    known_.insert(known_.end(), out_of_view_.points().begin(), out_of_view_.points().end());
   }
+  // A scan may be old; the robot may have braked since, so that its speed does not tell how far it has come.
+  known_ = toParentFrame(compose(inverse(reading.newest_pose), seen_.pose), std::move(known_));
+  shield_.show(known_);
   if (costmap_.isUsed()) {
     const Pose2 costmap_from_odometry = frames_.transform(costmap_.frame(), reading.odometry_frame, now);
     // Cells around what is known to the centimetre would only make it larger.
-    known_ = seen_.obstacles;
-    if (!shield_.footprint().isCircle()) {
-      known_.insert(known_.end(), out_of_view_.points().begin(), out_of_view_.points().end());
-    }
-    marked_ = costmap_.read(compose(costmap_from_odometry, seen_.pose), known_);
+    marked_ = costmap_.read(compose(costmap_from_odometry, reading.newest_pose), known_);
     shield_.add(marked_);
   }
 }

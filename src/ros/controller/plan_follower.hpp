@@ -81,7 +81,7 @@ class PlanFollower {
   PeriodMeter asked_;
   Shield shield_;
   OutOfView out_of_view_;      ///< of a robot with corners
-  std::vector<Point2> known_;  ///< returns of this scan and of earlier ones, base frame, m
+  std::vector<Point2> known_;  ///< returns of this scan and of earlier ones, as seen from the newest pose, m
 
   ros::Time plan_time_;  ///< when the plan was set
   std::string plan_frame_;

@@ -26,6 +26,9 @@ class Shield {
   /// Adds others (base frame), until the next scan is shown.
   void add(const std::vector<Point2>& obstacles);
 
+  /// From now on all is as seen from `pose` (base frame): the robot has moved since the scan.
+  void moveTo(const Pose2& pose);
+
   /// Free length (m, at most `limit`) from `from` in `direction` (rad), and headed there, for the footprint grown by
   /// `clearance`. Inside the clearance the robot may drive past an obstacle but not approach it; inside the hard margin
   /// (or the clearance, if that is less) it may only retreat: else the noise of a scanner would let it come closer bit

@@ -23,10 +23,9 @@ class PathTracker {
     moving_.expectSpeed(parameters.max_linear);
   }
 
-  /// The next command along a plan in the odometry frame, `period` s before the one after it. `shield` shows the
-  /// situation's obstacles, `twist` is the measured one. Zero as MotionController::compute().
-  MotionCommand compute(const std::vector<Pose2>& plan, const Situation& situation, const Twist2& twist,
-                        const Shield& shield, double period);
+  /// The next command, as MotionController::compute(). `seen`: by the newest scan; `now`: where the robot has come
+  /// since, in the same frame. The shield of `now` shows what is seen as it lies from there.
+  MotionCommand compute(const MotionSituation& now, const Situation& seen);
 
   /// From the next command on; what moves is found as before. Throws as MotionController, and changes nothing.
   void change(const MotionParameters& parameters) {
@@ -51,8 +50,8 @@ class PathTracker {
   bool goalReached(const Pose2& pose, const Pose2& goal) const { return controller_.goalReached(pose, goal); }
 
  private:
-  void lookBack(const std::vector<Pose2>& plan, const Situation& situation, const Shield& shield);
-  void planWayOut(const std::vector<Pose2>& plan, const Situation& situation, const Shield& shield);
+  void lookBack(const MotionSituation& now, double time);
+  void planWayOut(const MotionSituation& now, double time);
 
   MotionController controller_;
   Trail trail_;                     ///< where the robot came

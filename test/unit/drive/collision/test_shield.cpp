@@ -57,6 +57,15 @@ TEST(Shield, MeasuresFromWhereItIsAsked) {
   EXPECT_DOUBLE_EQ(shield.freeDistance({0.0, 1.0}, 0.0, kLimit, kClearance), 0.5);
 }
 
+TEST(Shield, MovesOnWithTheRobot) {
+  Shield shield(Footprint(kRadius), kHardMargin, kReach);
+  shield.show({{1.5, 0.0}});
+  shield.moveTo({0.25, 0.0, 0.0});
+  EXPECT_DOUBLE_EQ(shield.freeDistance({}, 0.0, kLimit, kClearance), 0.75);
+  shield.moveTo({0.0, 0.0, M_PI_2});
+  EXPECT_NEAR(shield.freeDistance({}, -M_PI_2, kLimit, kClearance), 0.75, 1e-12);
+}
+
 TEST(Shield, LetsARobotInTheClearancePassButNotApproach) {
   EXPECT_LE(freeDistanceTo({{0.4, 0.0}}), 0.002);
   EXPECT_DOUBLE_EQ(freeDistanceTo({{0.02, 0.4}}), kLimit);  // passing brings it nearer by half a millimetre

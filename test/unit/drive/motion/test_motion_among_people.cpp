@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lstm_planner/drive/motion/motion_controller.hpp"
+#include "lstm_planner/drive/motion/path_tracker.hpp"
 #include "lstm_planner/drive/perception/moving_returns.hpp"
 #include "lstm_planner/simulation/simulated_robot.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
@@ -72,6 +73,36 @@ TEST(MotionAmongPeople, StandsBeforeAPersonWhoComesStraightTowardsItReachesIt) {
     EXPECT_NEAR(drive.speed(), 0.0, 0.025) << speed;      // an encoder tick
     EXPECT_GT(drive.robot().pathLength(), 0.5) << speed;  // it did drive before
   }
+}
+
+/// The speed of a robot that stood and watched somebody come towards it until the body's middle was `person` m ahead,
+/// and that has come `way` m since the last scan.
+double speedBeforeSomebody(double person, double way) {
+  HallWithPerson world({3.0 + person, 4.0});
+  SimulatedRobot robot(world, {}, {1.5, 4.0, 0.0}, 3);
+  PathTracker tracker{MotionParameters{}};
+  Shield shield(Footprint(kRadius), 0.03, 2.5);
+  Situation situation;
+  const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {6.0, 0.0}});
+  double speed = 0.0;
+  while (robot.time() < 1.5 - 0.5 * kPeriod) {
+    robot.advance(kPeriod);
+    world.person().x -= kPeriod;
+    robot.sense(6.0, &situation);
+    const bool is_last = robot.time() > 1.5 - 0.5 * kPeriod;
+    const Pose2 now{is_last ? way : 0.0, 0.0, 0.0};
+    shield.show(situation.obstacles);
+    shield.moveTo(now);
+    speed = tracker.compute({plan, now, {0.3, 0.0}, shield, kPeriod}, situation).linear;
+  }
+  return speed;
+}
+
+TEST(MotionAmongPeople, KnowsHowFarTheRobotHasComeTowardsAPersonSinceTheScan) {
+  const double far = speedBeforeSomebody(1.3, 0.0);
+  EXPECT_GT(far, 0.15);
+  EXPECT_LT(speedBeforeSomebody(1.3, 0.2), far - 0.1) << "a person at 1 m/s leaves so much less time to brake";
+  EXPECT_NEAR(speedBeforeSomebody(1.3, 0.2), speedBeforeSomebody(1.1, 0.0), 0.02) << "the noise of the ranges";
 }
 
 TEST(MotionAmongPeople, WaitsForAPersonWhoCrossesAndThenGoesOn) {

@@ -49,7 +49,7 @@ int contactsAfterATurn(int ticks, const World& world) {
     const Point2 begin{situation.pose.x, situation.pose.y};
     const std::vector<Pose2> plan =
         test::planAlong({begin, pointAlong(situation.pose, situation.pose.yaw + side, 3.0)});
-    robot.command(tracker.compute(plan, situation, robot.measuredTwist(), shield, kPeriod));
+    robot.command(tracker.compute({plan, situation.pose, robot.measuredTwist(), shield, kPeriod}, situation));
     robot.advance(kPeriod);
   }
   return robot.contacts();

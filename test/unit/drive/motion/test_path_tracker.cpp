@@ -35,7 +35,7 @@ class PathTrackerTest : public ::testing::Test {
     StopReason stop = StopReason::kNone;
     for (double passed = 0.0; passed < seconds; passed += kPeriod) {
       situation_.time += kPeriod;
-      stop = tracker_.compute(plan, situation_, {}, shield_, kPeriod).stop;
+      stop = tracker_.compute({plan, situation_.pose, {}, shield_, kPeriod}, situation_).stop;
     }
     return stop;
   }
@@ -54,8 +54,9 @@ TEST_F(PathTrackerTest, GivesUpAfterThePatience) {
 TEST_F(PathTrackerTest, StandsWhereItCannotBeAskedSoOften) {
   situation_.obstacles.clear();
   shield_.show({});
+  const std::vector<Pose2> plan{{}, {3.0, 0.0, 0.0}};
   for (const double period : {0.0, -0.1, 1e-9, std::nan("")}) {
-    const MotionCommand command = tracker_.compute({{}, {3.0, 0.0, 0.0}}, situation_, {}, shield_, period);
+    const MotionCommand command = tracker_.compute({plan, {}, {}, shield_, period}, situation_);
     EXPECT_EQ(command.stop, StopReason::kUnusableData) << period;
     EXPECT_EQ(command.linear, 0.0) << period;
   }
@@ -100,7 +101,8 @@ TEST(PathTracker, LeadsAWedgedRobotToWhereItCanTurn) {
     }
     shield.show(situation.obstacles);
     const Point2 here{situation.pose.x, situation.pose.y};
-    twist = tracker.compute(test::planAlong({here, {-3.0, 0.0}}), situation, twist, shield, kPeriod);
+    const std::vector<Pose2> plan = test::planAlong({here, {-3.0, 0.0}});
+    twist = tracker.compute({plan, situation.pose, twist, shield, kPeriod}, situation);
     situation.pose = alongTurn(situation.pose, twist.linear * kPeriod, twist.angular * kPeriod);
     situation.time += kPeriod;
     ASSERT_LT(situation.time, 2.0 * motion.patience) << situation.pose.x << " " << situation.pose.yaw;
@@ -118,7 +120,7 @@ TEST(PathTracker, StartsABaseWhoseMotorsStandStillBelow8CentimetresASecond) {
     Twist2 twist;
     const std::vector<Pose2> plan = test::planAlong({{0.0, 0.0}, {3.0, 0.0}});
     for (; situation.time < 5.0; situation.time += kFast) {
-      twist = tracker.compute(plan, situation, twist, shield, kFast);
+      twist = tracker.compute({plan, situation.pose, twist, shield, kFast}, situation);
       if (twist.linear < 0.08) twist.linear = 0.0;
       situation.pose.x += twist.linear * kFast;
     }
@@ -140,12 +142,13 @@ TEST(Patience, BeginsAnewFourTimesWhileTheRobotGoesBack) {
 }
 
 TEST(PathTracker, IsSlowerBeforeAnObstacleWhereScansAreLongOnTheirWay) {
-  const auto speed = [](double scan_age) {
+  const std::vector<Pose2> plan{{}, {3.0, 0.0, 0.0}};
+  const auto speed = [&plan](double scan_age) {
     PathTracker tracker{MotionParameters()};
     Shield shield(Footprint(0.17), 0.03, 4.0);
     shield.show({{0.37, 0.0}});
     tracker.expectReactionTime(0.1, scan_age, 0.05);
-    return tracker.compute({{}, {3.0, 0.0, 0.0}}, Situation(), {0.3, 0.0}, shield, 0.05).linear;
+    return tracker.compute({plan, {}, {0.3, 0.0}, shield, 0.05}, {}).linear;
   };
   EXPECT_GT(speed(0.0), 0.1);
   EXPECT_DOUBLE_EQ(speed(0.1), speed(0.0)) << "within the scanner's period";

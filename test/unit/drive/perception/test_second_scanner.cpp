@@ -117,7 +117,7 @@ TEST_F(TwoScanners, SomebodyWhoComesFromBehindIsSeenToMove) {
   for (int i = 0; i < 12; ++i) {
     world_ = CircleWorld({{{-3.0 + 0.1 * i, 0.0}, 0.25}});
     surroundings.show(see({}, 0.1 * i));
-    things = surroundings.follow(situation_);
+    things = surroundings.follow(situation_, situation_.pose);
   }
   ASSERT_FALSE(surroundings.points().empty());
   for (const Point2& point : surroundings.points()) EXPECT_LT(point.x, -1.0);

@@ -237,7 +237,7 @@ class Course {
       Situation situation;
       situation.time = robot_.time();
       situation.pose = robot_.odometry();
-      robot_.command(tracker_.compute(plan_, situation, watch_.twist(), shield_, kPeriod));
+      robot_.command(tracker_.compute({plan_, situation.pose, watch_.twist(), shield_, kPeriod}, situation));
       robot_.advance(kPeriod);
     }
     return (robot_.pathLength() - before) / seconds;
