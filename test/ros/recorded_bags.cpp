@@ -326,6 +326,7 @@ TEST(RecordedBagTest, WhatFollowsInTimeIsOneRecordingAlsoInAFolder) {
   const std::vector<BagParts> expected = {{first, second, third}, {beside}, {later}, {broken}};
   EXPECT_EQ(bagRecordings({folder.path().string()}, 2.0), expected);
   EXPECT_EQ(bagRecordings({broken, later, third, beside, first, second}, 2.0), expected);
+  EXPECT_EQ(bagRecordings({folder.path().string(), folder / "./c_0.bag"}, 2.0), expected) << "each file once";
   EXPECT_EQ(bagRecordings({first, second}, 0.05).size(), 2u) << "a longer pause is the end of a recording";
 }
 

@@ -79,7 +79,10 @@ std::vector<BagParts> bagRecordings(const std::vector<std::string>& paths, doubl
     std::error_code error;  // what cannot be looked at is no folder
     const std::vector<std::string> files =
         fs::is_directory(path, error) ? bagsIn(path) : std::vector<std::string>{path};
-    for (const std::string& file : files) bags.push_back(timed(file));
+    for (const std::string& file : files) {
+      const auto isThis = [&](const TimedBag& bag) { return fs::equivalent(bag.path, file, error); };
+      if (std::none_of(bags.begin(), bags.end(), isThis)) bags.push_back(timed(file));
+    }
   }
   const auto readable_end =
       std::stable_partition(bags.begin(), bags.end(), [](const TimedBag& bag) { return bag.begin <= bag.end; });

@@ -50,9 +50,9 @@ struct BagDriveResult {
 /// The bags that are parts of one recording (rosbag record --split), in the order of their times.
 using BagParts = std::vector<std::string>;
 
-/// The recordings among bags and folders of bags (files *.bag, without their folders): bags that begin within `max_gap`
-/// (s) of the end of another one go on with it. In the order of their times; a bag that cannot be read, or is empty,
-/// stands alone at the end. Throws std::invalid_argument for a folder without a bag.
+/// The recordings among bags and folders of bags (files *.bag, without their folders), each file once: bags that begin
+/// within `max_gap` (s) of the end of another one go on with it. In the order of their times; a bag that cannot be
+/// read, or is empty, stands alone at the end. Throws std::invalid_argument for a folder without a bag.
 std::vector<BagParts> bagRecordings(const std::vector<std::string>& paths, double max_gap);
 
 /// Replays a recording into a recorder, in the order and with the clock of its messages: the steps are those that the
