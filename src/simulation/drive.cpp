@@ -63,7 +63,7 @@ class ControlledRobot : public LoopRobot {
       rollOut(situation, bent.value_or(decision), agent.shield(), goal_, agent.parameters(), parameters_.rollout,
               &plan_);
     }
-    tracker_.expectReactionTime(parameters_.robot.longestScanPeriod(), 0.0, kControlPeriod);
+    tracker_.expectReactionTime(0.0, parameters_.robot.longestScanPeriod(), kControlPeriod);
     const MotionCommand command = nextCommand(situation, agent.shield());
     if (command.stop != StopReason::kStuck) stuck_since_.reset();
     if (command.stop == StopReason::kStuck && !stuck_since_) stuck_since_ = robot_.time();

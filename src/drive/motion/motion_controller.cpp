@@ -186,7 +186,9 @@ void validate(const MotionParameters& parameters) {
 }
 
 MotionController::MotionController(const MotionParameters& parameters)
-    : parameters_((validate(parameters), parameters)), reaction_time_(parameters.reaction_time) {}
+    : parameters_((validate(parameters), parameters)),
+      reaction_time_(parameters.reaction_time),
+      reaction_before_persons_(parameters.reaction_time) {}
 
 MotionCommand MotionController::compute(const MotionSituation& situation, const std::vector<Point2>& moving,
                                         const std::vector<Point2>& resting, const MotionHistory& history) const {
@@ -345,7 +347,7 @@ double MotionController::cautiousSpeed(const Twist2& twist, const Shield& shield
 }
 
 double MotionController::yieldingReach(double footprint_radius) const {
-  const double time = reaction_time_ + parameters_.max_linear / parameters_.linear_acceleration;
+  const double time = reaction_before_persons_ + parameters_.max_linear / parameters_.linear_acceleration;
   return footprint_radius + stoppingDistance(parameters_.max_linear) + parameters_.person_margin +
          parameters_.person_speed * time + footprint_radius;
 }
@@ -353,7 +355,7 @@ double MotionController::yieldingReach(double footprint_radius) const {
 double MotionController::yieldingSpeed(const Twist2& twist, const Shield& persons) const {
   const double gap = persons.arcGap({}, twist.angular / twist.linear, stoppingDistance(twist.linear));
   const double time = (gap - parameters_.person_margin) / parameters_.person_speed;
-  return std::max(0.0, (time - reaction_time_) * parameters_.linear_acceleration);
+  return std::max(0.0, (time - reaction_before_persons_) * parameters_.linear_acceleration);
 }
 
 double MotionController::yieldingSpeed(const Twist2& twist, const Persons& persons) const {
@@ -548,7 +550,7 @@ double MotionController::yieldingTurn(const Persons& persons) const {
   const Footprint& footprint = persons.moving.footprint();
   const double sweep = footprint.circumscribedRadius() - footprint.inscribedRadius();
   const double gap = persons.moving.gap({}) - sweep - parameters_.person_margin;
-  const double time = gap / parameters_.person_speed - reaction_time_;
+  const double time = gap / parameters_.person_speed - reaction_before_persons_;
   return std::max(0.0, time * parameters_.linear_acceleration / (0.5 * parameters_.axle_length));
 }
 

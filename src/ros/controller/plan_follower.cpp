@@ -98,7 +98,8 @@ MotionCommand PlanFollower::compute() {
   asked_.note(now.toSec());  // a busy computer may ask more seldom than controller_frequency says
   const double period = std::max(1.0 / parameters_.controller_frequency, asked_.period());
   const double oldest = reading.second ? std::min(reading.first.stamp, reading.second->stamp) : reading.first.stamp;
-  tracker_.expectReactionTime(reading.scan_period, now.toSec() - oldest, period);
+  tracker_.expectReactionTime(std::max(0.0, now.toSec() - reading.newest_stamp),
+                              std::max(reading.scan_period, now.toSec() - oldest), period);
   speed_ = std::abs(reading.twist.linear);
   MotionCommand command = tracker_.compute({odometry_plan, reading.newest_pose, reading.twist, shield_, period}, seen_);
   sayDelay();

@@ -64,7 +64,8 @@ void visitMotionParameters(Parameters& motion, const Visitor& visit) {
   visit("heading_gain", motion.heading_gain, {0.01, 100.0}, "rad/s",
         "turning speed for each rad of heading error; larger turns faster and overshoots with a slow odometry");
   visit("reaction_time", motion.reaction_time, {0.001, 10.0}, "s",
-        "time from a measurement to the motion of the wheels, with the driver's loop; longer stops earlier");
+        "time from a measurement of the odometry to the motion of the wheels, with the driver's loop; longer stops "
+        "earlier");
   visit("safety_margin", motion.safety_margin, {0.001, 5.0}, "m",
         "distance kept between the footprint and every return; at least three times the noise of the scanner");
   visit(
@@ -175,9 +176,13 @@ class MotionController {
                       const std::vector<MovingThing>& things, double free_behind = 0.0,
                       const MotionHistory& history = {}) const;
 
-  /// From now on it takes at least so long from a measurement to the wheels, s: the scanner is slow.
-  void expectReactionTime(double least) { reaction_time_ = std::max(parameters_.reaction_time, least); }
-  double reactionTime() const { return reaction_time_; }  ///< s, from a measurement to the motion of the wheels
+  /// From now on it takes at least so long (s) from the pose that it is told to the wheels, and `before_persons` from
+  /// the scan to the wheels: what moves has gone on since.
+  void expectReactionTime(double least, double before_persons) {
+    reaction_time_ = std::max(parameters_.reaction_time, least);
+    reaction_before_persons_ = std::max(parameters_.reaction_time, before_persons);
+  }
+  double reactionTime() const { return reaction_time_; }  ///< s, from the pose to the motion of the wheels
 
   /// At the plan's last pose within the tolerances.
   bool goalReached(const Pose2& pose, const Pose2& goal) const;
@@ -218,7 +223,8 @@ class MotionController {
   SafeSpeed safeSpeedWithCorners(const Twist2& wanted, const Moment& now) const;
 
   MotionParameters parameters_;
-  double reaction_time_;  ///< s
+  double reaction_time_;            ///< s, from the pose to the wheels
+  double reaction_before_persons_;  ///< s, from the scan to the wheels
 };
 
 }  // namespace lstm_planner

@@ -33,12 +33,12 @@ class PathTracker {
     moving_.expectSpeed(parameters.max_linear);
   }
 
-  /// What moves is seen every `scan_period` s, or `scan_age` s ago where scans come late, and answered every
-  /// `control_period` s; see MotionController. The base may take as long as it was seen to.
-  void expectReactionTime(double scan_period, double scan_age, double control_period) {
+  /// The pose is `pose_age` s old; the scan is `scan_age` s old, or at the most where its age is not known. The next
+  /// command follows after `control_period` s. The base may take as long as it was seen to.
+  void expectReactionTime(double pose_age, double scan_age, double control_period) {
     constexpr double kDriverPeriod = 0.1;  // s, of the slowest usual base drivers
-    controller_.expectReactionTime(std::max(scan_period, scan_age) + control_period +
-                                   std::max(kDriverPeriod, reaction_.delay()));
+    const double answered = control_period + std::max(kDriverPeriod, reaction_.delay());
+    controller_.expectReactionTime(pose_age + answered, scan_age + answered);
   }
   /// Of the base, s; 0 as long as it is not seen to be longer than expected.
   double delayOfBase() const { return reaction_.delay(); }

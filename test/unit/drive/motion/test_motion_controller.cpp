@@ -91,14 +91,23 @@ TEST_F(MotionControllerTest, StopsBeforeAnObstacle) {
   EXPECT_GT(compute(planAlong({{0.0, 0.0}, {5.0, 0.0}})).linear, 0.0);
 }
 
-TEST_F(MotionControllerTest, IsSlowerBehindASlowScanner) {
+TEST_F(MotionControllerTest, IsSlowerWithALateOdometryAndBeforePeopleBehindASlowScanner) {
   const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {5.0, 0.0}});
+  const std::vector<Point2> somebody = {{kRadius + 0.8, 0.0}};
   shield_.show({{kRadius + 0.15, 0.0}});
-  const double before = compute(plan).linear;
-  controller_.expectReactionTime(0.1);
-  EXPECT_DOUBLE_EQ(compute(plan).linear, before) << "shorter than the parameter: that one counts";
-  controller_.expectReactionTime(0.4);
-  EXPECT_LT(compute(plan).linear, before);
+  const double before_wall = compute(plan).linear;
+  controller_.expectReactionTime(0.1, 0.1);
+  EXPECT_DOUBLE_EQ(compute(plan).linear, before_wall) << "shorter than the parameter: that one counts";
+  controller_.expectReactionTime(0.1, 0.4);
+  EXPECT_DOUBLE_EQ(compute(plan).linear, before_wall);
+  controller_.expectReactionTime(0.4, 0.4);
+  EXPECT_LT(compute(plan).linear, before_wall);
+  shield_.show({});
+  const auto beforeSomebody = [&](double scan_age) {
+    controller_.expectReactionTime(0.1, scan_age);
+    return controller_.compute({plan, {}, {}, shield_, 0.1}, somebody).linear;
+  };
+  EXPECT_LT(beforeSomebody(0.6), beforeSomebody(0.1));
 }
 
 TEST_F(MotionControllerTest, SlowsDownOnItsPathTowardsAnObstacleButNotBesideOne) {

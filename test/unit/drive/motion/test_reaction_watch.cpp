@@ -74,7 +74,7 @@ TEST(ReactionWatch, ATrackerThatWasNotToldOfASmootherTurnsToItsPlanNevertheless)
     situation.time += kPeriod;
     ASSERT_LT(situation.time, 60.0) << "it turns to and fro";
     situation.pose = robot.odometry();
-    tracker.expectReactionTime(0.1, 0.0, kPeriod);
+    tracker.expectReactionTime(0.1, 0.1, kPeriod);
     on_their_way.push_back(tracker.compute({plan, situation.pose, robot.measuredTwist(), shield, kPeriod}, situation));
     robot.command(on_their_way.front());
     on_their_way.pop_front();
