@@ -1,5 +1,5 @@
 #!/bin/bash
-# Measures a network in all the drives that the tables of README.md, models/README.md and the network's card show:
+# Measures a network in most of the drives that the tables of README.md, models/README.md and the network's card show:
 #
 #   bash models/measure.sh MODEL BARN MAPS FOLDER
 #

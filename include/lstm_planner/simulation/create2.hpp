@@ -31,7 +31,7 @@ struct Create2Parameters {
 /// Visits every parameter; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
 void visitCreate2Parameters(Parameters& robot, const Visitor& visit) {
-  visit("axle_length", robot.axle_length, {0.01, 5.0}, "m", "between the wheels");
+  visit("axle_length", robot.axle_length, {0.01, 5.0}, "m", "wheel separation (track width)");
   visit("wheel_diameter", robot.wheel_diameter, {0.001, 5.0}, "m", "of each wheel");
   visit("ticks_per_revolution", robot.ticks_per_revolution, {1.0, 1e6}, "", "of a wheel's encoder");
   visit("max_wheel_speed", robot.max_wheel_speed, {0.01, 20.0}, "m/s",

@@ -229,7 +229,6 @@ GoalInFrame PlanMaker::announcedIn(const std::string& frame, const AnnouncedGoal
 }
 
 const Decision& PlanMaker::drive(const Pose2& goal, bool is_new) {
-  const Point2 last_goal = agent_.goal();
   switch (goal_changes_.tell(&agent_, goal, drift_.correction(), is_new, jumps_)) {
     case GoalChanges::Fresh::kNewGoal:
       ROS_INFO("new goal (%.2f, %.2f) in %s", driven_goal_.x, driven_goal_.y, global_frame_.c_str());
@@ -244,10 +243,7 @@ const Decision& PlanMaker::drive(const Pose2& goal, bool is_new) {
           "deleted; the goal stays");
       markers_.clearTrace();
       break;
-    case GoalChanges::Fresh::kGoalMoved:
-      ROS_WARN("the goal moved by %.2f m in %s, the path so far is forgotten",
-               distanceBetween(last_goal, agent_.goal()), global_frame_.c_str());
-      break;
+    case GoalChanges::Fresh::kGoalMoved:  // not here: the goal stays where it was when it was given (ask())
     case GoalChanges::Fresh::kNo:
       break;
   }

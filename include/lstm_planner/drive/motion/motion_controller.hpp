@@ -47,7 +47,7 @@ void visitMotionParameters(Parameters& motion, const Visitor& visit) {
   visit("max_wheel_speed", motion.max_wheel_speed, {0.01, 20.0}, "m/s",
         "largest speed of a wheel; commands stay below it, because a base that limits each wheel by itself bends the "
         "path");
-  visit("axle_length", motion.axle_length, {0.01, 5.0}, "m", "between the wheels");
+  visit("axle_length", motion.axle_length, {0.01, 5.0}, "m", "wheel separation (track width)");
   visit("linear_acceleration", motion.linear_acceleration, {0.01, 50.0}, "m/s^2",
         "acceleration and deceleration; not more than the deceleration that the robot reaches");
   visit(
