@@ -32,11 +32,6 @@ struct LayerMatrices {
 LayerMatrices layerMatrices(const Layer& layer, int inputs);
 
 /// All layers' weights in one block of memory.
-///
-/// Where they exceed the first level of the cache by less than its size, reading them once a step in the same order
-/// would find none of them there: what has not been used for longest, which is what comes next, makes room for each
-/// that is fetched. So matrices beyond what fits are laid out with a page's distance from column to column. All their
-/// columns then compete for the same few places of the cache, and the other matrices keep theirs.
 class PackedWeights {
  public:
   /// `kernels` has one for each layer.

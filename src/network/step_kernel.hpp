@@ -25,8 +25,6 @@ struct LayerShape {
 struct PackedMatrix {
   const float* weights = nullptr;
   int columns = 0;
-  int vector_stride = 0;  ///< floats, for each vector that is in a column before the tile
-  int column_stride = 0;  ///< floats from a tile's column to the next; 0 where they follow one another
 };
 
 struct PackedLayer {

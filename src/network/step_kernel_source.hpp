@@ -18,8 +18,7 @@ constexpr float kHalf = 0.5f;
 /// sums += weights * x for a tile, `kSums` vectors high. Sums that wait for one another would leave the processor idle
 /// where a tile is small: `kParts` of them are made side by side, each from every kParts-th column.
 template <class V, int kSums, int kParts>
-LSTM_PLANNER_INLINE void multiplyAddColumns(const float* weights, int stride, const float* x, int columns,
-                                            V (&sums)[kSums]) {
+LSTM_PLANNER_INLINE void multiplyAddColumns(const float* weights, const float* x, int columns, V (&sums)[kSums]) {
   V parts[kParts][kSums];
 #pragma GCC unroll 16
   for (int sum = 0; sum < kSums; ++sum) {
@@ -30,7 +29,7 @@ LSTM_PLANNER_INLINE void multiplyAddColumns(const float* weights, int stride, co
     const V factor = broadcast<V>(x[column]);
 #pragma GCC unroll 16
     for (int sum = 0; sum < kSums; ++sum) {
-      const V weight = load<V>(weights + column * stride + sum * kLanesOf<V>);
+      const V weight = load<V>(weights + (column * kSums + sum) * kLanesOf<V>);
       parts[part][sum] = multiplyAdd(weight, factor, parts[part][sum]);
     }
   };
@@ -149,9 +148,8 @@ struct TiledLayer {
     constexpr int kSums = kGates * kBlocks;
 #pragma GCC unroll 16
     for (int sum = 0; sum < kSums; ++sum) sums[sum] = load<V>(start + (place.vector + sum) * kLanesOf<V>);
-    const int stride = matrix.column_stride > 0 ? matrix.column_stride : kSums * kLanesOf<V>;
-    multiplyAddColumns<V, kSums, parts(kSums)>(matrix.weights + place.vector * matrix.vector_stride, stride, x, columns,
-                                               sums);
+    const float* weights = matrix.weights + place.vector * kLanesOf<V> * matrix.columns;
+    multiplyAddColumns<V, kSums, parts(kSums)>(weights, x, columns, sums);
   }
 
   template <int kBlocks>
