@@ -46,6 +46,7 @@ long RangeProfile::beamTowards(double towards) const {
   const long count = static_cast<long>(ranges.size());
   if (beam < count) return beam;
   // Just before the first beam is nearly a whole turn after it.
+  if (closes()) return kFullTurn - turn < turn - static_cast<double>(count - 1) * step ? 0 : count - 1;
   return kFullTurn - turn < step ? 0 : (turn / step < static_cast<double>(count) ? count - 1 : -1);
 }
 

@@ -52,10 +52,6 @@ long firstBeamFrom(double angle, const BeamFan& fan) {
   return static_cast<long>(std::clamp(index, 0.0, static_cast<double>(fan.count)));
 }
 
-bool coversTurn(const BeamFan& fan) {
-  return static_cast<double>(fan.count) * fan.increment >= kFullTurn - (0.5 + kBorderTolerance) * fan.increment;
-}
-
 /// The window is half-open: its last beam lies one increment before the left edge.
 bool coversWindow(const BeamFan& fan) {
   const double end = fan.start + static_cast<double>(fan.count) * fan.increment;
@@ -159,7 +155,7 @@ Sectors averageSectors(const RangeProfile& profile, double least_measured, doubl
   }
   const BeamFan fan = fanOf(profile);
 
-  if (!coversWindow(fan) && !coversTurn(fan)) {
+  if (!coversWindow(fan) && !profile.closes()) {
     const double from = normalizeAngle(fan.start - kWindow / 2.0);
     const double span = static_cast<double>(fan.count - 1) * fan.increment;
     throw UnusableScan("the scan covers " + degrees(from) + " to " + degrees(from + span) +

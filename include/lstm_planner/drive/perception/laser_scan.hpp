@@ -54,8 +54,9 @@ struct RangeProfile {
   bool isMeasured(std::size_t beam) const { return ranges[beam] > 0.0f && std::isfinite(ranges[beam]); }
   /// Index of the beam nearest to `direction` (rad, base frame); -1 when none is within an increment of it.
   long beamTowards(double direction) const;
-  /// Whether the last beam is beside the first one.
-  bool closes() const { return (static_cast<double>(ranges.size()) + 0.5) * std::abs(increment) > kFullTurn; }
+  /// Whether the last beam is beside the first one, or one is missing between them: some drivers divide the span of the
+  /// readings that they got by their number.
+  bool closes() const { return (static_cast<double>(ranges.size()) + 1.5) * std::abs(increment) > kFullTurn; }
   /// Index of a beam that was counted from another one, maybe beyond the ends: where the scan closes it goes on there.
   /// -1 when there is none.
   long beamAt(long counted) const;

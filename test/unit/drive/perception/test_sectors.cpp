@@ -100,6 +100,20 @@ TEST(AverageSectors, UsesBothEndsOfAFullTurn) {
   }
 }
 
+/// As drivers send it that divide the span of the readings that they got by their number: the TurtleBot3's LDS-02.
+TEST(AverageSectors, TakesAFullTurnOfWhichOneBeamIsMissingAhead) {
+  for (const double yaw : {0.0, M_PI, 2.0, -M_PI_2}) {
+    const LaserScan scan = makeScan(0.012, kFullTurn / 251.1, 250);
+    const Sectors sectors = averageSectors(scan, {{0.0, 0.0, yaw}, false}, {}, kCap);
+    EXPECT_NEAR(total(sectors.beams), 125, 1) << yaw;
+  }
+  RangeProfile profile;
+  toProfile(makeScan(0.012, kFullTurn / 251.1, 250), {}, {}, &profile);
+  EXPECT_EQ(profile.beamTowards(0.010), 0);
+  EXPECT_EQ(profile.beamTowards(-0.020), 249);
+  for (double direction = -0.1; direction < 0.1; direction += 0.001) EXPECT_GE(profile.beamTowards(direction), 0);
+}
+
 constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
