@@ -87,7 +87,8 @@ class ControlledRobot : public LoopRobot {
     const Pose2 pose = believedPose();
     Shield from_here = shield;
     from_here.moveTo(compose(inverse(situation.pose), pose));
-    return tracker_.compute({plan_, pose, robot_.measuredTwist(), from_here, kControlPeriod}, situation);
+    return tracker_.compute({plan_, pose, robot_.measuredTwist(), from_here, kControlPeriod}, situation,
+                            robot_.time() - situation.time);
   }
 
   SimulatedRobot& robot_;

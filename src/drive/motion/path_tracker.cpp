@@ -31,7 +31,7 @@ std::vector<Pose2> startOf(const std::vector<Pose2>& plan, const Pose2& pose) {
 
 }  // namespace
 
-MotionCommand PathTracker::compute(const MotionSituation& now, const Situation& seen) {
+MotionCommand PathTracker::compute(const MotionSituation& now, const Situation& seen, double later) {
   if (!(now.period >= kShortestPeriod)) return {{}, StopReason::kUnusableData};
   moving_.show(seen);
   if (!now.shield.footprint().isCircle()) lookBack(now, seen.time);
@@ -45,7 +45,7 @@ MotionCommand PathTracker::compute(const MotionSituation& now, const Situation& 
     const double most = limits.max_linear * limits.evade_time;
     const double was_free = seenFreeBehind(seen, now.shield.footprint(), limits.safety_margin, most);
     const double free_behind = std::max(0.0, was_free - std::hypot(then.x, then.y));
-    command = controller_.evade(command, now, moving_.follow(seen, now.pose), free_behind, history_);
+    command = controller_.evade(command, now, moving_.follow(seen, now.pose, later), free_behind, history_);
   }
   const Patience::Left left = patience_.note(limits.patience, command, now.plan, seen);
   if (left == Patience::Left::kNone) command = {{}, StopReason::kStuck};

@@ -141,8 +141,8 @@ SensorReading SensorListener::read(const ros::Time& now) {
     reading.scan_period = std::max(reading.scan_period, second_->watch.period());
   }
   reading.odometry_frame = odometry_frame_;
-  reading.newest_stamp = std::max(history_.newest().stamp, reading.first.stamp);
-  reading.newest_pose = history_.poseAt(reading.newest_stamp);
+  reading.odometry_stamp = history_.newest().stamp;
+  reading.newest_pose = history_.poseAt(std::max(reading.odometry_stamp, reading.first.stamp));
   reading.twist = history_.twist();
   reading.jumps = history_.jumps();
   return reading;

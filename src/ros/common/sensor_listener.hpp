@@ -38,7 +38,7 @@ struct SensorReading {
   std::optional<ScanReading> second;  ///< of the second scanner, where there is one
   double scan_period = 0.0;           ///< s, the longer one, as measured; 0 as long as it is not known
   std::string odometry_frame;
-  double newest_stamp = 0.0;  ///< s, of newest_pose
+  double odometry_stamp = 0.0;  ///< s, of the newest odometry
   Pose2 newest_pose;  ///< base in the odometry frame, by the newest odometry, or when the first scan was taken if later
   Twist2 twist;       ///< newest, base frame; by the poses where the messages' twist contradicts them
   long jumps = 0;     ///< how often the odometry has jumped so far

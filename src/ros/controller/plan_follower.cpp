@@ -98,10 +98,11 @@ MotionCommand PlanFollower::compute() {
   asked_.note(now.toSec());  // a busy computer may ask more seldom than controller_frequency says
   const double period = std::max(1.0 / parameters_.controller_frequency, asked_.period());
   const double oldest = reading.second ? std::min(reading.first.stamp, reading.second->stamp) : reading.first.stamp;
-  tracker_.expectReactionTime(std::max(0.0, now.toSec() - reading.newest_stamp),
+  tracker_.expectReactionTime(std::max(0.0, now.toSec() - reading.odometry_stamp),
                               std::max(reading.scan_period, now.toSec() - oldest), period);
   speed_ = std::abs(reading.twist.linear);
-  MotionCommand command = tracker_.compute({odometry_plan, reading.newest_pose, reading.twist, shield_, period}, seen_);
+  MotionCommand command = tracker_.compute({odometry_plan, reading.newest_pose, reading.twist, shield_, period}, seen_,
+                                           std::max(0.0, reading.odometry_stamp - reading.first.stamp));
   sayDelay();
   idle_.note(reading.newest_pose, now.toSec(), {command.linear, command.angular});
   if (command.stop == StopReason::kNone && idle_.idle() > 0.0) command.stop = StopReason::kIdle;

@@ -24,8 +24,8 @@ class PathTracker {
   }
 
   /// The next command, as MotionController::compute(). `seen`: by the newest scan; `now`: where the robot has come
-  /// since, in the same frame. The shield of `now` shows what is seen as it lies from there.
-  MotionCommand compute(const MotionSituation& now, const Situation& seen);
+  /// since, in the same frame, `later` s after the scan. The shield of `now` shows what is seen as it lies from there.
+  MotionCommand compute(const MotionSituation& now, const Situation& seen, double later = 0.0);
 
   /// From the next command on; what moves is found as before. Throws as MotionController, and changes nothing.
   void change(const MotionParameters& parameters) {

@@ -32,16 +32,16 @@ class MovingSurroundings {
   const std::vector<Point2>& points() const { return points_; }    ///< MovingReturns::points() of all scanners
   const std::vector<Point2>& resting() const { return resting_; }  ///< MovingReturns::resting() of all scanners
 
-  /// What moves, and how, in the situation that was shown last, as seen from `pose`. Things are followed from call to
-  /// call, so it must be called after each show(), or never.
-  std::vector<MovingThing> follow(const Situation& situation, const Pose2& pose) {
+  /// What moves, and how, as seen from `pose`, `later` s after the situation that was shown last. Things are followed
+  /// from call to call, so it must be called after each show(), or never.
+  std::vector<MovingThing> follow(const Situation& situation, const Pose2& pose, double later) {
     std::vector<MovingThing> things;
     const std::array<double, 2> times = {situation.time, situation.second.time};
     for (std::size_t i = 0; i < eyes_.size(); ++i) {
       Eye& eye = eyes_[i];
       eye.things.show(eye.returns.returns(), eye.returns.moves(), times[i]);
       for (MovingThing thing : eye.things.around(pose)) {
-        const double since = situation.time - times[i];
+        const double since = situation.time - times[i] + later;
         thing.center.x += since * thing.velocity.x;
         thing.center.y += since * thing.velocity.y;
         things.push_back(thing);

@@ -113,17 +113,22 @@ TEST_F(TwoScanners, NothingIsOutOfViewThatTheSecondOneSees) {
 
 TEST_F(TwoScanners, SomebodyWhoComesFromBehindIsSeenToMove) {
   MovingSurroundings surroundings{MovingReturnsParameters()};
-  std::vector<MovingThing> things;
+  MovingSurroundings surroundings_later = surroundings;
+  std::vector<MovingThing> things, things_later;
   for (int i = 0; i < 12; ++i) {
     world_ = CircleWorld({{{-3.0 + 0.1 * i, 0.0}, 0.25}});
     surroundings.show(see({}, 0.1 * i));
-    things = surroundings.follow(situation_, situation_.pose);
+    things = surroundings.follow(situation_, situation_.pose, 0.0);
+    surroundings_later.show(situation_);
+    things_later = surroundings_later.follow(situation_, {0.5, 0.0, 0.0}, 0.3);
   }
   ASSERT_FALSE(surroundings.points().empty());
   for (const Point2& point : surroundings.points()) EXPECT_LT(point.x, -1.0);
   ASSERT_EQ(things.size(), 1u);
   EXPECT_NEAR(things.front().velocity.x, 1.0, 0.15);
   EXPECT_NEAR(things.front().velocity.y, 0.0, 0.15);
+  ASSERT_EQ(things_later.size(), 1u);
+  EXPECT_NEAR(things_later.front().center.x, things.front().center.x + 0.3 * things.front().velocity.x - 0.5, 1e-9);
   surroundings.reset();
   EXPECT_TRUE(surroundings.points().empty());
 }
