@@ -41,6 +41,7 @@ TEST_F(DriftingOdometryTest, ArrivesWhereTheGoalWasWhenItWasGiven) {
   send("map", kLibrary);
   ASSERT_TRUE(over(300.0));
   EXPECT_EQ(client_.getState(), State::SUCCEEDED) << client_.getState().getText();
+  EXPECT_EQ(client_.getState().getText(), "Goal reached.") << "the plan's end moved in odom, and lies at the goal";
   EXPECT_LT(distanceBetween(pose(), kLibrary), kPositionTolerance + kBraking);
   EXPECT_GT(distanceBetween(poseByOdometry(start), pose()), kPositionTolerance + kBraking)
       << "else odometry alone would do";

@@ -420,6 +420,12 @@ TEST_F(PlannerTest, HearsTheEndOfADriveFromMoveBaseAndFromMoveBaseFlex) {
              "nobody asks for plans: there is no goal; the last drive stopped 0.50 m from the goal";
     })) << topic
         << ": " << listener.latched().message;
+    robot_.wait(1000.0);
+    EXPECT_TRUE(eventually([&] {
+      EXPECT_FALSE(preview(planner.get()));
+      return listener.latched().message == "no plan";
+    })) << "a new goal, and no scans: "
+        << listener.latched().message;
   }
 }
 

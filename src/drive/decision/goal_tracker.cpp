@@ -33,8 +33,8 @@ void GoalTracker::announce(const GoalInFrame& goal) {
 }
 
 GoalTracker::Verdict GoalTracker::ask(const GoalInFrame& goal, double time) {
-  const bool goes_on = isDriven(goal) && std::abs(time - asked_) <= patience_;
-  if (announced_ && sameGoal(*announced_, goal) && !goes_on) {
+  has_paused_ = !isDriven(goal) || std::abs(time - asked_) > patience_;
+  if (announced_ && sameGoal(*announced_, goal) && has_paused_) {
     driven_ = goal;
     starts_anew_ = true;
   }

@@ -72,6 +72,11 @@ void Clearance::unblock(const Point2& place) {
   outdateAt(place);
 }
 
+void Clearance::unblockAll() {
+  for (const Point2& block : blocks_) outdateAt(block);
+  blocks_.clear();
+}
+
 void Clearance::relaxClearance(bool on) {
   const double radius = footprint_radius_ + (on ? -0.5 * window_.resolution() : 0.5 * tight_clearance_);
   if (radius == tight_radius_) return;

@@ -70,6 +70,7 @@ Replanner::Replanner(const MemoryParameters& parameters, const ShieldParameters&
 
 void Replanner::start() {
   route_.points.clear();
+  memory_.unblockAll();
   looking_ = false;
   closed_in_a_row_ = 0;
   relaxClearance(false);

@@ -22,7 +22,6 @@
 
 #include "lstm_planner/common/geometry.hpp"
 #include "lstm_planner/common/text_table.hpp"
-#include "lstm_planner/drive/decision/arrival.hpp"
 #include "lstm_planner/ros/common/parameter_reader.hpp"
 #include "lstm_planner/ros/common/transform_listener.hpp"
 #include "lstm_planner/ros/move_base/standalone_move_base_parameters.hpp"
@@ -167,7 +166,6 @@ class StandaloneMoveBase {
 
   void stopRobot();
   void succeed();
-  std::string arrivalText() const;
   void abort(const std::string& text);
 
   ros::NodeHandle node_;
@@ -180,11 +178,9 @@ class StandaloneMoveBase {
   PlannerThread planner_;
 
   State state_ = State::kPlanning;
-  geometry_msgs::PoseStamped goal_;      ///< global frame
-  geometry_msgs::PoseStamped plan_end_;  ///< of the last plan to it, global frame
-  bool plan_is_to_goal_ = false;         ///< the controller's plan
-  Stopwatch last_plan_;                  ///< to this goal or to an earlier one
-  Stopwatch last_valid_plan_;            ///< to this goal
+  bool plan_is_to_goal_ = false;  ///< the controller's plan
+  Stopwatch last_plan_;           ///< to this goal or to an earlier one
+  Stopwatch last_valid_plan_;     ///< to this goal
   Stopwatch last_valid_control_;
   Stopwatch last_progress_;
   geometry_msgs::PoseStamped progress_pose_;
@@ -254,7 +250,6 @@ bool StandaloneMoveBase::start(const move_base_msgs::MoveBaseGoal& goal, State s
   last_valid_control_.restart();
   last_progress_.restart();
   if (state == State::kPlanning) stopRobot();
-  goal_ = target;
   planner_.start(target);
   current_goal_publisher_.publish(target);
   return true;
@@ -293,7 +288,6 @@ bool StandaloneMoveBase::takePlan() {
     return false;
   }
   plan_is_to_goal_ = made->is_to_goal;
-  if (plan_is_to_goal_) plan_end_ = made->plan.back();
   last_plan_.restart();
   if (plan_is_to_goal_) last_valid_plan_.restart();
   state_ = State::kControlling;
@@ -357,16 +351,8 @@ void StandaloneMoveBase::stopRobot() { velocity_publisher_.publish(geometry_msgs
 void StandaloneMoveBase::succeed() {
   planner_.stop();
   stopRobot();
-  server_.setSucceeded({}, arrivalText());
-}
-
-/// A plan that ends beside the goal is one to a goal in or behind an obstacle.
-std::string StandaloneMoveBase::arrivalText() const {
-  geometry_msgs::PoseStamped robot;
-  const bool is_beside =
-      distanceBetween(plan_end_.pose.position, goal_.pose.position) > AgentParameters().goal_tolerance;
-  if (!is_beside || !plugins_.robotPose(robot)) return "Goal reached.";
-  return "Goal reached: " + besideGoalText(distanceBetween(robot.pose.position, goal_.pose.position)) + ".";
+  const std::string beside = plugins_.besideGoal();
+  server_.setSucceeded({}, beside.empty() ? "Goal reached." : "Goal reached: " + beside + ".");
 }
 
 void StandaloneMoveBase::abort(const std::string& text) {

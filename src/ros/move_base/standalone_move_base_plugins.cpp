@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "ros/common/arrival_teller.hpp"
 #include "ros/common/guarded.hpp"
 
 namespace lstm_planner {
@@ -53,6 +54,11 @@ bool HostedPlugins::makePlan(const geometry_msgs::PoseStamped& start, const geom
   const std::lock_guard<std::mutex> lock(planner_mutex_);
   plan.clear();
   return answerOf("The global planner", [&] { return planner_->makePlan(start, goal, plan) && !plan.empty(); });
+}
+
+std::string HostedPlugins::besideGoal() {
+  auto* teller = dynamic_cast<ArrivalTeller*>(planner_.get());
+  return teller != nullptr ? teller->besideGoal() : "";
 }
 
 bool HostedPlugins::setPlan(const Plan& plan) {

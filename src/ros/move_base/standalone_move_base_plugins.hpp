@@ -29,6 +29,9 @@ class HostedPlugins {
   /// Callable from any thread, one call at a time gets through. An empty plan is a failure.
   bool makePlan(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal, Plan& plan);
 
+  /// As ArrivalTeller; empty for a planner that is none.
+  std::string besideGoal();
+
   /// The controller's calls: from one thread.
   bool setPlan(const Plan& plan);
   bool computeVelocity(geometry_msgs::Twist& velocity);

@@ -90,6 +90,11 @@ bool LstmGlobalPlanner::makePlan(const geometry_msgs::PoseStamped& start, const 
   return guarded(make, refuse_plan);
 }
 
+std::string LstmGlobalPlanner::besideGoal() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return plan_maker_ ? plan_maker_->besideGoal() : "";
+}
+
 /// A plan that somebody asked for tells nothing about the drive.
 void LstmGlobalPlanner::note(const std::string& refusal, const ros::SteadyTime& begin) {
   const auto verdict = plan_maker_->verdict();
@@ -128,7 +133,7 @@ void LstmGlobalPlanner::describeState(PluginDiagnostics::Status* status) const {
   status->add("model", model_);
   const Decision& decision = plan_maker_->agent().decision();
   const std::optional<DriveEnd>& end = plan_maker_->end();
-  if (!isAsked() || (end && end->is_arrival)) {
+  if (!isAsked() || (end && end->is_arrival && answer_.refusal.empty())) {
     const std::string last = end ? "; the last drive " + end->text() : "";
     status->summary(end && end->is_beside ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
                     "nobody asks for plans: there is no goal" + last);

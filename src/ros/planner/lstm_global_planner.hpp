@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "ros/common/arrival_teller.hpp"
+
 namespace diagnostic_updater {
 class DiagnosticStatusWrapper;
 }
@@ -34,7 +36,7 @@ class PluginDiagnostics;
 /// diagnostic_msgs/DiagnosticStatus), arrival (latched: how the last drive ended; the same type); and /diagnostics.
 /// Parameters: GlobalPlannerParameters; some may change while it drives (dynamic_reconfigure). Thread safe; nothing is
 /// ever thrown out of it.
-class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner {
+class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner, public ArrivalTeller {
  public:
   LstmGlobalPlanner();
   ~LstmGlobalPlanner() override;
@@ -46,6 +48,8 @@ class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner {
   /// False, with a throttled line that says why, when no plan can be given now.
   bool makePlan(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal,
                 std::vector<geometry_msgs::PoseStamped>& plan) override;
+
+  std::string besideGoal() override;
 
  private:
   /// What was answered last about the goal that the robot drives to, and when.

@@ -140,8 +140,7 @@ void PlanMaker::noteEnd(bool is_unasked) {
   const bool is_reported = goals_.takeSuccess();
   const Decision::Choice choice = agent_.decision().choice;
   const bool is_refused = choice == Decision::Move::kNoPath && agent_.endsBesideGoal();
-  const Pose2 global_robot = compose(global_from_odometry_, sensors_.newestPose().value_or(Pose2()));
-  const Pose2 robot = compose(drift_.correction(), global_robot);
+  const Pose2 robot = robotOfAgent();
   // A report that is late may be about the goal before.
   const bool is_at_end = distanceBetween(robot, agent_.decision().destination) <= kFarthestEnd;
   const bool is_over = is_refused || (is_reported && is_at_end) || (is_unasked && choice == Decision::Move::kArrived);
@@ -156,6 +155,16 @@ void PlanMaker::noteEnd(bool is_unasked) {
     // After a refusal, move_base drives on along the last plan until the controller finds it too old.
     tellEnd(end);
   }
+}
+
+std::string PlanMaker::besideGoal() {
+  return agent_.endsBesideGoal() ? besideGoalText(distanceBetween(robotOfAgent(), agent_.goal())) : "";
+}
+
+/// Where the robot is now, in the agent's frame.
+Pose2 PlanMaker::robotOfAgent() {
+  const Pose2 global_robot = compose(global_from_odometry_, sensors_.newestPose().value_or(Pose2()));
+  return compose(drift_.correction(), global_robot);
 }
 
 void PlanMaker::tellEnd(const DriveEnd& end) {
@@ -208,6 +217,11 @@ void PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {
     tracker_.announce(announcedIn(goal.frame, *announced));
   }
   verdict_ = tracker_.ask(goal, now_.toSec());
+  // Who asks again after a pause hopes that the way has become free.
+  const bool is_given_up = agent_.decision().choice == Decision::Move::kNoPath;
+  if (verdict_ == GoalTracker::Verdict::kDriven && tracker_.hasPaused() && is_given_up) {
+    verdict_ = GoalTracker::Verdict::kNewGoal;
+  }
   if (verdict_ == GoalTracker::Verdict::kNewGoal) {
     driven_goal_ = *goal_in_global_frame;
   } else if (verdict_ == GoalTracker::Verdict::kDriven) {

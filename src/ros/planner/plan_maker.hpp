@@ -64,6 +64,8 @@ class PlanMaker {
   /// Says how the drive ended, once the executor reports the goal as reached; to be called now and then. `is_unasked`:
   /// nobody has asked for a plan for long, so that the drive is over in any case.
   void noteEnd(bool is_unasked);
+  /// As ArrivalTeller.
+  std::string besideGoal();
   /// Of the last drive; none since a new goal.
   const std::optional<DriveEnd>& end() const { return end_; }
 
@@ -76,6 +78,7 @@ class PlanMaker {
   SensorListener& sensors() { return sensors_; }
 
  private:
+  Pose2 robotOfAgent();
   void tellEnd(const DriveEnd& end);
   void makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal_message,
                                std::vector<geometry_msgs::PoseStamped>* plan);

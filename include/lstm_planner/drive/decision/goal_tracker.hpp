@@ -46,6 +46,9 @@ class GoalTracker {
   /// A plan for `goal` is asked for at `time` (s).
   Verdict ask(const GoalInFrame& goal, double time);
 
+  /// Whether nobody had asked for the driven goal for `patience` s, before the last call.
+  bool hasPaused() const { return has_paused_; }
+
  private:
   /// A goal that is asked for and not driven to.
   struct Candidate {
@@ -58,7 +61,8 @@ class GoalTracker {
   double patience_;
   bool announces_each_plan_;
   std::optional<GoalInFrame> announced_;  ///< before the next plan, where each is announced
-  double asked_ = 0.0;                    ///< s, when the driven goal was asked for last
+  bool has_paused_ = false;
+  double asked_ = 0.0;  ///< s, when the driven goal was asked for last
   std::optional<GoalInFrame> driven_;
   bool starts_anew_ = false;  ///< announced, but not asked for since
   std::optional<Candidate> candidate_;

@@ -38,6 +38,8 @@ class Clearance {
   void block(const Point2& place);
   /// Takes back block(), if the place is still blocked.
   void unblock(const Point2& place);
+  /// Takes back all of them.
+  void unblockAll();
 
   /// Whether places count as passable that seem too narrow by not more than the error of noise and squares.
   void relaxClearance(bool on);

@@ -44,11 +44,12 @@ class LocalMap {
   /// before.
   void know(std::vector<Point2> obstacles) { known_ = std::move(obstacles); }
 
-  /// Marks a place as not passable although no obstacle was seen there; until forget(), or until many other places were
-  /// marked.
+  /// Marks a place as not passable although no obstacle was seen there; until unblockAll() or forget(), or until many
+  /// other places were marked.
   void block(const Point2& place) { clearance_.block(place); }
   /// Takes back block(), if the place is still marked.
   void unblock(const Point2& place) { clearance_.unblock(place); }
+  void unblockAll() { clearance_.unblockAll(); }
 
   /// Whether places count as passable that seem too narrow by not more than the error of noise and squares. This is
   /// seldom true, but worth a try if there is no other path.

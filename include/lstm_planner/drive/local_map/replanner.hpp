@@ -32,7 +32,7 @@ class Replanner {
 
   Replanner(const MemoryParameters& parameters, const ShieldParameters& shield);
 
-  /// A new goal; what is remembered of the obstacles stays.
+  /// A new goal; what is remembered of the obstacles stays. What was only taken as blocked is free again.
   void start();
 
   /// The same goal lies a little elsewhere: a route that ended at it ends at it still.

@@ -19,7 +19,9 @@ TEST(GoalTrackerTest, AnnouncedGoalIsNewOnceAndDrivenAfterwards) {
   tracker.announce(kGoal);
   EXPECT_EQ(tracker.ask(kGoal, 0.0), Verdict::kNewGoal);
   EXPECT_EQ(tracker.ask(kGoal, 0.2), Verdict::kDriven);
+  EXPECT_FALSE(tracker.hasPaused());
   EXPECT_EQ(tracker.ask(kGoal, 100.0), Verdict::kDriven);
+  EXPECT_TRUE(tracker.hasPaused());
 }
 
 TEST(GoalTrackerTest, AnnouncingTheSamePoseAgainStartsAnew) {

@@ -284,6 +284,18 @@ TEST_F(ReplannerTest, ARobotOfAnySizeKeepsItsOwnPlaceFreeWhereItIsBlockedAhead) 
   }
 }
 
+TEST_F(ReplannerTest, ANewGoalTakesBackWhatWasOnlyTakenAsBlocked) {
+  const Situation here = returnsAt({});
+  for (int goal = 0; goal < 2; ++goal) {
+    start({4.0, 0.0});
+    ASSERT_EQ(update(here), Answer::kRoute);
+    EXPECT_NEAR(guide_.route().length, 4.0, 0.01);
+    guide_.blockAhead();
+    ASSERT_EQ(update(here), Answer::kRoute);
+    EXPECT_GT(guide_.route().length, 4.05);
+  }
+}
+
 TEST_F(ReplannerTest, BlockedAheadItLeadsAnotherWay) {
   start({4.0, 0.0});
   const Situation here = returnsAt({});
