@@ -1,16 +1,12 @@
 #include "lstm_planner/ros/advice/drive_advice.hpp"
 
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
-#include <geometry_msgs/PoseStamped.h>
-#include <nav_msgs/Odometry.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
-#include <sensor_msgs/LaserScan.h>
 #include <tf2_ros/buffer.h>
 
 #include <csignal>
 #include <exception>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,19 +16,14 @@
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "lstm_planner/ros/common/parameter_reader.hpp"
 #include "lstm_planner/ros/common/transform_listener.hpp"
-#include "lstm_planner/ros/recorder/drive_messages.hpp"
 #include "lstm_planner/ros/replay/decision_display.hpp"
 #include "ros/common/node_main.hpp"
+#include "ros/recorder/drive_topics.hpp"
 
 namespace lstm_planner {
 namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
-
-// Five seconds of a fast scanner, and more of odometry.
-constexpr int kScanQueue = 200;
-constexpr int kOdometryQueue = 1000;
-constexpr int kGoalQueue = 20;
 
 RecorderParameters stepParameters(const PolicyDescription& description, const DriveAdviceParameters& parameters) {
   const SensorParameters& sensors = parameters.planner.sensors;
@@ -68,9 +59,6 @@ class DriveAdvice : private StepSink {
   void endEpisode(double stamp, EpisodeEnd end) override;
   void reject(Rejection rejection) override;
 
-  template <typename Message>
-  void subscribe(const std::string& topic, int queue,
-                 const std::function<void(const Message&, const ros::Time&)>& hear);
   void publishAgreement();
 
   DriveAdviceParameters parameters_;
@@ -79,7 +67,6 @@ class DriveAdvice : private StepSink {
   TransformListener tf_listener_;
   DriveMessages messages_;
   DecisionDisplay display_;
-  ros::NodeHandle node_;
   ros::Publisher agreement_;
   std::vector<ros::Subscriber> subscribers_;
 };
@@ -91,39 +78,16 @@ DriveAdvice::DriveAdvice(const DriveAdviceParameters& parameters)
       tf_listener_(&tf_),
       messages_(tf_, parameters.base_frame, std::nullopt, stepParameters(replay_.description(), parameters), this),
       display_(replay_.description()),
-      agreement_(ros::NodeHandle("~").advertise<DiagnosticStatus>("agreement", 1, true)) {
-  subscribe<sensor_msgs::LaserScan>(parameters.planner.sensors.scan_topic, kScanQueue,
-                                    [this](const auto& scan, const ros::Time& now) { messages_.hear(scan, now); });
-  subscribe<nav_msgs::Odometry>(parameters.planner.sensors.odom_topic, kOdometryQueue,
-                                [this](const auto& odometry, const ros::Time& now) { messages_.hear(odometry, now); });
-  for (const std::string& topic : {std::string("move_base_simple/goal"), parameters.goal_topic}) {
-    subscribe<geometry_msgs::PoseStamped>(
-        topic, kGoalQueue, [=](const auto& goal, const ros::Time& now) { messages_.hearGoal(goal, topic, now); });
-  }
-  subscribe<move_base_msgs::MoveBaseActionGoal>(
-      "move_base/goal", kGoalQueue,
-      [this](const auto& goal, const ros::Time& now) { messages_.hear(goal, "move_base/goal", now); });
-  subscribe<actionlib_msgs::GoalID>("move_base/cancel", kGoalQueue,
-                                    [this](const auto& cancel, const ros::Time& now) { messages_.hear(cancel, now); });
-  subscribe<move_base_msgs::MoveBaseActionResult>(
-      "move_base/result", kGoalQueue,
-      [this](const auto& result, const ros::Time& now) { messages_.hear(result, now); });
-}
-
-template <typename Message>
-void DriveAdvice::subscribe(const std::string& topic, int queue,
-                            const std::function<void(const Message&, const ros::Time&)>& hear) {
-  const auto guarded = [hear](const boost::shared_ptr<const Message>& message) {
-    try {
-      hear(*message, ros::Time::now());
-    } catch (const std::exception& error) {
-      ROS_ERROR_THROTTLE(10.0, "%s", error.what());
-    }
-  };
-  // Without tcpNoDelay a scan is held back until the one before is acknowledged: up to 40 ms.
-  subscribers_.push_back(node_.subscribe<Message>(topic, static_cast<std::uint32_t>(queue), guarded,
-                                                  ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
-}
+      agreement_(ros::NodeHandle("~").advertise<DiagnosticStatus>("agreement", 1, true)),
+      subscribers_(subscribeToDrive(parameters.planner.sensors.scan_topic, parameters.planner.sensors.odom_topic,
+                                    {"move_base_simple/goal", parameters.goal_topic}, &messages_,
+                                    [](const auto& /*message*/, const auto& hear) {
+                                      try {
+                                        hear();
+                                      } catch (const std::exception& error) {
+                                        ROS_ERROR_THROTTLE(10.0, "%s", error.what());
+                                      }
+                                    })) {}
 
 int DriveAdvice::run(const volatile std::sig_atomic_t& stop) {
   while (ros::ok() && stop == 0) {

@@ -13,28 +13,23 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "lstm_planner/common/random.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "lstm_planner/ros/common/transform_listener.hpp"
-#include "lstm_planner/ros/recorder/drive_messages.hpp"
 #include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
 #include "ros/common/node_main.hpp"
 #include "ros/recorder/dataset_recorder_file.hpp"
 #include "ros/recorder/dataset_recorder_markers.hpp"
 #include "ros/recorder/dataset_recorder_status.hpp"
+#include "ros/recorder/drive_topics.hpp"
 
 namespace lstm_planner {
 
 namespace {
 
-// Five seconds of a fast scanner, and more of odometry: the disk may be slow at times.
-constexpr int kScanQueue = 200;
-constexpr int kOdometryQueue = 1000;
-constexpr int kGoalQueue = 20;
-// Without this, TCP holds a scan back until the one before is acknowledged: up to 40 ms.
-const ros::TransportHints kHints = ros::TransportHints().tcpNoDelay();
 const ros::WallDuration kStatusPeriod(1.0);
 constexpr double kLongestDelay = 0.5;  // s that odometry is behind the clock, at the most
 
@@ -102,13 +97,12 @@ class DatasetRecorder {
 
   void guarded(const std::function<void()>& work);
 
-  void onScan(const sensor_msgs::LaserScan::ConstPtr& scan);
-  void onOdometry(const nav_msgs::Odometry::ConstPtr& odometry);
-  /// To what is said of goals; `hear` is called with a message and guarded.
-  template <typename Message, typename Hear>
-  ros::Subscriber subscribeToGoals(const std::string& topic, const Hear& hear);
+  void onMessage(const sensor_msgs::LaserScan& scan, const std::function<void()>& hear);
+  void onMessage(const nav_msgs::Odometry& odometry, const std::function<void()>& hear);
+  /// A goal, or the end of one.
+  template <typename Message>
+  void onMessage(const Message& message, const std::function<void()>& hear);
   void openFile(const std::string& odometry_frame);
-  ros::Time goalHeardNow();
   void afterSensing();
   void pickGoal();
 
@@ -159,26 +153,16 @@ DatasetRecorder::DatasetRecorder(const RecorderNodeParameters& parameters)
   goal_publisher_ = private_node_.advertise<geometry_msgs::PoseStamped>("goal", 10, true);
   diagnostics_publisher_ = node_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
 
-  subscribers_ = {
-      node_.subscribe(parameters.scan_topic, kScanQueue, &DatasetRecorder::onScan, this, kHints),
-      node_.subscribe(parameters.odom_topic, kOdometryQueue, &DatasetRecorder::onOdometry, this, kHints),
-      subscribeToGoals<move_base_msgs::MoveBaseActionGoal>(
-          "move_base/goal", [this](const auto& goal) { messages_.hear(goal, "move_base/goal", goalHeardNow()); }),
-      subscribeToGoals<geometry_msgs::PoseStamped>(
-          "move_base_simple/goal",
-          [this](const auto& goal) { messages_.hearGoal(goal, "move_base_simple/goal", goalHeardNow()); }),
-      subscribeToGoals<actionlib_msgs::GoalID>(
-          "move_base/cancel", [this](const auto& cancel) { messages_.hear(cancel, ros::Time::now()); }),
-      subscribeToGoals<move_base_msgs::MoveBaseActionResult>(
-          "move_base/result", [this](const auto& result) { messages_.hear(result, ros::Time::now()); })};
+  subscribers_ = subscribeToDrive(parameters.scan_topic, parameters.odom_topic, {"move_base_simple/goal"}, &messages_,
+                                  [this](const auto& message, const auto& hear) { onMessage(message, hear); });
   services_ = {private_node_.advertiseService("pause", &DatasetRecorder::pause, this),
                private_node_.advertiseService("discard_episode", &DatasetRecorder::discardEpisode, this),
                private_node_.advertiseService("finish", &DatasetRecorder::finishByService, this)};
   constexpr double kShortestAlarm = 2.0;  // s
   status_.node = ros::this_node::getName().substr(1);
   status_.disk_low = parameters.disk_low;
-  status_.scan_topic = subscribers_.at(0).getTopic();
-  status_.odometry_topic = subscribers_.at(1).getTopic();
+  status_.scan_topic = node_.resolveName(parameters.scan_topic);
+  status_.odometry_topic = node_.resolveName(parameters.odom_topic);
   status_.longest_silence = std::max(kShortestAlarm, parameters.recorder.max_gap);
   status_.action_angles = parameters.recorder.action_angles;
   status_.progress = &progress_;
@@ -204,24 +188,34 @@ void DatasetRecorder::guarded(const std::function<void()>& work) {
   }
 }
 
-void DatasetRecorder::onScan(const sensor_msgs::LaserScan::ConstPtr& scan) {
+void DatasetRecorder::onMessage(const sensor_msgs::LaserScan& /*scan*/, const std::function<void()>& hear) {
   guarded([&] {
     ++status_.scans_heard;
     last_scan_ = ros::SteadyTime::now();
-    messages_.hear(*scan, ros::Time::now());
+    hear();
     afterSensing();
   });
 }
 
-void DatasetRecorder::onOdometry(const nav_msgs::Odometry::ConstPtr& odometry) {
-  if (!file_.isOpen() && !exit_code_) openFile(frameName(odometry->header.frame_id));
+void DatasetRecorder::onMessage(const nav_msgs::Odometry& odometry, const std::function<void()>& hear) {
+  if (!file_.isOpen() && !exit_code_) openFile(frameName(odometry.header.frame_id));
   guarded([&] {
     ++status_.odometry_heard;
-    const ros::Time now = ros::Time::now();
     last_odometry_ = ros::SteadyTime::now();
-    odometry_stamp_ = stampOr(odometry->header.stamp, now);
-    messages_.hear(*odometry, now);
+    odometry_stamp_ = stampOr(odometry.header.stamp, ros::Time::now());
+    hear();
     afterSensing();
+  });
+}
+
+template <typename Message>
+void DatasetRecorder::onMessage(const Message& /*message*/, const std::function<void()>& hear) {
+  constexpr bool is_goal = std::is_same_v<Message, geometry_msgs::PoseStamped> ||
+                           std::is_same_v<Message, move_base_msgs::MoveBaseActionGoal>;
+  guarded([&] {
+    ++status_.goals_heard;
+    if (is_goal) goal_stamp_ = odometry_stamp_;
+    hear();
   });
 }
 
@@ -233,22 +227,6 @@ void DatasetRecorder::openFile(const std::string& odometry_frame) {
     ROS_FATAL("%s", error.what());
     exit_code_ = 1;
   }
-}
-
-template <typename Message, typename Hear>
-ros::Subscriber DatasetRecorder::subscribeToGoals(const std::string& topic, const Hear& hear) {
-  const boost::function<void(const boost::shared_ptr<const Message>&)> work = [this, hear](const auto& message) {
-    guarded([&] {
-      ++status_.goals_heard;
-      hear(*message);
-    });
-  };
-  return node_.subscribe<Message>(topic, kGoalQueue, work, ros::VoidConstPtr(), kHints);
-}
-
-ros::Time DatasetRecorder::goalHeardNow() {
-  goal_stamp_ = odometry_stamp_;
-  return ros::Time::now();
 }
 
 void DatasetRecorder::afterSensing() {
@@ -268,7 +246,8 @@ void DatasetRecorder::pickGoal() {
   if (!goal_stamp_.isZero() && std::abs((odometry_stamp_ - goal_stamp_).toSec()) <= long_ago) return;
 
   const NamedPose& waypoint = waypoints_.next();
-  const geometry_msgs::PoseStamped goal = toMessage(waypoint.pose, parameters_.waypoint_frame, goalHeardNow());
+  goal_stamp_ = odometry_stamp_;
+  const geometry_msgs::PoseStamped goal = toMessage(waypoint.pose, parameters_.waypoint_frame, ros::Time::now());
   goal_publisher_.publish(goal);
   messages_.hearGoal(goal, "waypoints", goal.header.stamp);
   ROS_INFO("the next goal is %s at (%.2f, %.2f)", waypoint.name.c_str(), waypoint.pose.x, waypoint.pose.y);
