@@ -139,6 +139,18 @@ void OutputFile::rename() {
   if (error) throw OutputFileError(error.message());
 }
 
+void checkWritable(const std::string& path) {
+  try {
+    const fs::file_status status = fs::status(path);
+    if (fs::is_directory(status)) throw OutputFileError("it is a folder");
+    // Whoever reads a pipe takes its closing for the end, and nobody would read what is written later.
+    if (fs::is_fifo(status)) return;
+    OutputFile(path).stream();
+  } catch (const OutputFileError& error) {
+    throw std::invalid_argument("cannot write '" + path + "': " + error.what());
+  }
+}
+
 void writeOutputFile(const std::string& what, const std::string& path,
                      const std::function<void(std::ostream& file)>& write) {
   try {

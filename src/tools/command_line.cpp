@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "lstm_planner/common/nearest_name.hpp"
+#include "lstm_planner/common/output_file.hpp"
 #include "lstm_planner/common/words.hpp"
-#include "tools/output_file.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "lstm_planner/common/output_file.hpp"
 #include "lstm_planner/dataset/dataset_check.hpp"
 #include "lstm_planner/dataset/dataset_edit.hpp"
 #include "lstm_planner/dataset/dataset_export.hpp"
@@ -12,7 +13,6 @@
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/dataset_report.hpp"
-#include "tools/output_file.hpp"
 
 namespace lstm_planner {
 

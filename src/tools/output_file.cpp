@@ -12,19 +12,6 @@
 
 namespace lstm_planner {
 
-void checkWritable(const std::string& path) {
-  namespace fs = std::filesystem;
-  try {
-    const fs::file_status status = fs::status(path);
-    if (fs::is_directory(status)) throw OutputFileError("it is a folder");
-    // Whoever reads a pipe takes its closing for the end, and nobody would read what is written later.
-    if (fs::is_fifo(status)) return;
-    OutputFile(path).stream();
-  } catch (const OutputFileError& error) {
-    throw std::invalid_argument("cannot write '" + path + "': " + error.what());
-  }
-}
-
 void checkWithoutExtension(const std::string& path, const std::vector<std::string>& endings) {
   const std::string extension = std::filesystem::path(path).extension().string();
   for (const std::string& ending : endings) {

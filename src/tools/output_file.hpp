@@ -6,9 +6,6 @@
 
 namespace lstm_planner {
 
-/// Throws std::invalid_argument unless the file can be written; its contents stay. Asked before a long run.
-void checkWritable(const std::string& path);
-
 /// Of --output, behind which the endings are put. Throws std::invalid_argument where it has one of them already, and as
 /// checkWritable().
 void checkWithoutExtension(const std::string& path, const std::vector<std::string>& endings);

@@ -41,6 +41,9 @@ class OutputPaths(unittest.TestCase):
         self.assertEqual(advice.wait(30.0), 0)
         self.assert_written("decisions.csv")
 
+    def test_decisions_that_cannot_be_written_are_refused_before_the_drive(self):
+        self.assertEqual(self.start("drive_advice", "_decisions:=~/missing/decisions.csv", MODEL).wait(30.0), 1)
+
     def test_the_result_and_the_picture_of_demo_runner(self):
         rosgraph.Master("/output_paths").setParam("/demo_runner/scenario/goals", GOALS)
         self.start("demo_runner", "_map:=" + package_file("config", "demo_building.yaml"), "_patience:=0.1",

@@ -47,6 +47,9 @@ class OutputFile {
   std::ofstream stream_;
 };
 
+/// Throws std::invalid_argument unless the file can be written; its contents stay. Asked before a long run.
+void checkWritable(const std::string& path);
+
 /// Calls `write` to write a file. Throws std::runtime_error "WHAT 'PATH' cannot be written: REASON".
 void writeOutputFile(const std::string& what, const std::string& path,
                      const std::function<void(std::ostream& file)>& write);

@@ -48,9 +48,9 @@ class DriveAdvice : private StepSink {
   /// Throws when the model cannot be used with these parameters.
   explicit DriveAdvice(const DriveAdviceParameters& parameters);
 
-  /// Advises until `stop` is not 0 or ROS is shut down; says then how often driver and planner agreed. Returns the
-  /// node's exit code: 0, or 1 when the file of decisions could not be written.
-  int run(const volatile std::sig_atomic_t& stop);
+  /// Advises until `stop` is not 0 or ROS is shut down; says then how often driver and planner agreed. Throws when the
+  /// file of decisions cannot be written.
+  void run(const volatile std::sig_atomic_t& stop);
 
  private:
   void startEpisode(const Episode& episode) override;
@@ -89,21 +89,15 @@ DriveAdvice::DriveAdvice(const DriveAdviceParameters& parameters)
                                       }
                                     })) {}
 
-int DriveAdvice::run(const volatile std::sig_atomic_t& stop) {
+void DriveAdvice::run(const volatile std::sig_atomic_t& stop) {
   while (ros::ok() && stop == 0) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
   }
   messages_.recorder().finish();
   ROS_INFO("in all: %s", describeReplay(replay_).c_str());
-  if (parameters_.decisions.empty()) return 0;
-  try {
-    writeOutputFile("file", parameters_.decisions,
-                    [this](std::ostream& file) { writeDecisions(replay_.decisions(), &file); });
-  } catch (const std::exception& error) {
-    ROS_ERROR("%s", error.what());
-    return 1;
-  }
-  return 0;
+  if (parameters_.decisions.empty()) return;
+  writeOutputFile("file", parameters_.decisions,
+                  [this](std::ostream& file) { writeDecisions(replay_.decisions(), &file); });
 }
 
 void DriveAdvice::startEpisode(const Episode& episode) {
@@ -157,7 +151,7 @@ void DriveAdvice::publishAgreement() {
   agreement_.publish(static_cast<const DiagnosticStatus&>(status));
 }
 
-/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+/// Throws std::invalid_argument naming the parameter, its value and what was expected, and as checkWritable().
 DriveAdviceParameters loadDriveAdviceParameters(const ros::NodeHandle& private_node) {
   DriveAdviceParameters parameters;
   ParameterReader reader(private_node);
@@ -166,6 +160,7 @@ DriveAdviceParameters loadDriveAdviceParameters(const ros::NodeHandle& private_n
   reader.warnOfUnknown();
   parameters.planner = loadGlobalPlannerParameters(ros::NodeHandle(private_node, "LstmGlobalPlanner"));
   parameters.decisions = resolvedPath(parameters.decisions);
+  if (!parameters.decisions.empty()) checkWritable(parameters.decisions);
   return parameters;
 }
 
@@ -176,6 +171,7 @@ int main(int argc, char** argv) {
   using namespace lstm_planner;
   // How often both agreed is said at the end.
   return runUntilStopped(argc, argv, "drive_advice", [](const ros::NodeHandle& node, const auto& stop) {
-    return DriveAdvice(loadDriveAdviceParameters(node)).run(stop);
+    DriveAdvice(loadDriveAdviceParameters(node)).run(stop);
+    return 0;
   });
 }
