@@ -1,5 +1,6 @@
 #include "tools/grid_options.hpp"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -87,6 +88,10 @@ std::vector<GridTaskSet> drawGridTaskSets(const GridOptions& options) {
   std::vector<GridTaskSet> sets;
   for (const std::string& folder : options.folders) {
     for (const GridSetFiles& files : findGridSets(folder)) {
+      const auto has_its_name = [&](const GridTaskSet& set) { return set.name == files.name; };
+      if (std::any_of(sets.begin(), sets.end(), has_its_name)) {
+        throw std::invalid_argument("set " + files.name + " is given twice, again in '" + folder + "'");
+      }
       sets.push_back(drawTasksOfSet(files, options.selection, options.evaluation));
     }
   }

@@ -1,8 +1,10 @@
 #include "tools/train_robot.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "lstm_planner/common/text_table.hpp"
@@ -157,8 +159,13 @@ std::string toText(const DriveScore& score) {
 
 Dataset readDatasets(const std::vector<std::string>& paths, bool with_scans) {
   Dataset all;
-  for (const std::string& path : paths) {
-    Dataset dataset = readDataset(path, with_scans);
+  for (auto path = paths.begin(); path != paths.end(); ++path) {
+    std::error_code unknown;
+    const auto is_this = [&](const std::string& other) { return std::filesystem::equivalent(other, *path, unknown); };
+    if (std::any_of(paths.begin(), path, is_this)) {
+      throw std::invalid_argument("dataset '" + *path + "' is given twice");
+    }
+    Dataset dataset = readDataset(*path, with_scans);
     std::move(dataset.recordings.begin(), dataset.recordings.end(), std::back_inserter(all.recordings));
   }
   return all;

@@ -64,7 +64,7 @@ void writeRobotModel(const RobotTrainingOptions& options, const PolicyDescriptio
 /// "arrival 0.950, efficiency 0.800"
 std::string toText(const DriveScore& score);
 
-/// Several files as one.
+/// Several files as one. Throws std::invalid_argument for a file that is given twice.
 Dataset readDatasets(const std::vector<std::string>& paths, bool with_scans);
 
 /// The same, with scans only where the policy needs them.

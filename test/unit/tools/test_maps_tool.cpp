@@ -51,6 +51,10 @@ TEST_F(MapsTool, AFolderWhoseNameIsNoUtf8IsJudgedInLikeAnother) {
   success("maps --kind random --columns 32 --rows 32 --output " + folder);
   success("evaluate --agent greedy --scenarios " + folder + " --json " + in("result.json"));
   EXPECT_NE(bytesOf("result.json").find("\"name\": \"pi\xef\xbf\xbdge\""), std::string::npos);
+  const test::Outcome twice = runTool("evaluate --agent greedy --scenarios " + folder + " " + folder + "/Scenarios");
+  EXPECT_EQ(twice.status, 2);
+  EXPECT_NE(twice.output.find("ge is given twice, again in '" + folder + "/Scenarios'"), std::string::npos)
+      << twice.output;
 }
 
 TEST_F(MapsTool, EvaluateSaysAndWritesItsResultBeforeItDraws) {

@@ -156,6 +156,7 @@ TEST_F(TrainDatasetTool, ANetworkWithViewsFollowsADriverWhileItPractises) {
   fs::remove(in("model.onnx"));
   expectRefusal(practice + "--recordings drives.dataset --recordings-weight 0", "--recordings-weight is 0");
   expectRefusal(practice + "--recordings missing.dataset", "missing.dataset");
+  expectRefusal(practice + "--recordings drives.dataset ./drives.dataset", "dataset './drives.dataset' is given twice");
 }
 
 TEST_F(TrainDatasetTool, ThesisPresetMeasuresTheInstability) {
