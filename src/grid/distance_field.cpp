@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <deque>
 #include <limits>
 #include <opencv2/imgproc.hpp>
-#include <queue>
 #include <stdexcept>
 #include <string>
-#include <utility>
+#include <vector>
 
 namespace lstm_planner {
 namespace {
@@ -18,6 +17,9 @@ constexpr float kNothingBlocked = 1e6f;
 
 /// The exact transform squares distances in cells as int.
 constexpr int kLongestSide = 46340;
+
+/// Cells; from here on a float may not become longer by a move.
+constexpr float kTooLong = 16777216.0f;  // 2^24
 
 }  // namespace
 
@@ -49,9 +51,56 @@ DistanceField::DistanceField(const OccupancyGrid& grid, bool unknown_blocks) {
   for (float& distance : distances_.values()) distance *= resolution;
 }
 
+/// By buckets as wide as the shortest move (Dial's algorithm): a move leads to a later bucket but for rounding, and
+/// what it leads to in the same bucket is still gone through there.
+template <typename Cost>
+CellField<float> pathLengths(const CellField<Cost>& cost, CellIndex goal, CornerCutting corner_cutting,
+                             double resolution) {
+  CellField<float> lengths(cost.columns(), cost.rows(), std::numeric_limits<float>::infinity());
+  const auto costAt = [&](CellIndex cell) { return static_cast<float>(cost.at(cell, Cost{})); };
+  if (!(costAt(goal) > 0.0f)) return lengths;
+  struct Open {
+    CellIndex cell;
+    float length;
+  };
+  const float moves[] = {static_cast<float>(resolution), static_cast<float>(resolution * M_SQRT2)};
+  const float width = moves[0];
+  std::deque<std::vector<Open>> buckets(1);
+  lengths[goal] = 0.0f;
+  buckets.front().push_back({goal, 0.0f});
+  for (std::size_t first = 0; !buckets.empty(); ++first, buckets.pop_front()) {
+    const std::vector<Open>& bucket = buckets.front();
+    for (std::size_t i = 0; i < bucket.size(); ++i) {
+      const auto [here, length_here] = bucket[i];
+      if (length_here > lengths[here]) continue;
+      const float cost_here = costAt(here);
+      for (int direction = 0; direction < kGridMoveCount; ++direction) {
+        const CellIndex cell = cellBeside(here, direction);
+        const float cost_there = costAt(cell);
+        if (!(cost_there > 0.0f)) continue;
+        const bool is_diagonal = direction % 2 != 0;
+        if (is_diagonal && corner_cutting == CornerCutting::kForbidden &&
+            !(costAt(cellBeside(here, turned(direction, -1))) > 0.0f &&
+              costAt(cellBeside(here, turned(direction, 1))) > 0.0f)) {
+          continue;
+        }
+        const float length = length_here + moves[is_diagonal] * 0.5f * (cost_here + cost_there);
+        if (length >= lengths[cell] || length >= kTooLong * width) continue;
+        lengths[cell] = length;
+        const std::size_t index = static_cast<std::size_t>(length / width) - first;
+        if (index >= buckets.size()) buckets.resize(index + 1);
+        buckets[index].push_back({cell, length});
+      }
+    }
+  }
+  return lengths;
+}
+
+template CellField<float> pathLengths(const CellField<float>&, CellIndex, CornerCutting, double);
+template CellField<float> pathLengths(const CellField<std::uint8_t>&, CellIndex, CornerCutting, double);
+
 GeodesicField::GeodesicField(const OccupancyGrid& grid, const DistanceField& distances, CellIndex goal,
-                             const Options& options)
-    : lengths_(grid.columns(), grid.rows(), std::numeric_limits<float>::infinity()) {
+                             const Options& options) {
   // What a metre costs in each cell, 0 where the robot does not fit.
   CellField<float> cost(grid.columns(), grid.rows(), 0.0f);
   const double margin = options.comfort - options.clearance;
@@ -61,35 +110,7 @@ GeodesicField::GeodesicField(const OccupancyGrid& grid, const DistanceField& dis
     const double nearness = margin > 0.0 ? std::max(0.0, (options.comfort - distance) / margin) : 0.0;
     cost[cell] = static_cast<float>(1.0 + options.reluctance * nearness);
   }
-  const auto costAt = [&](int column, int row) { return cost.at({column, row}, 0.0f); };
-  if (!(cost.at(goal, 0.0f) > 0.0f)) return;
-
-  using Entry = std::pair<float, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> open;
-  lengths_[goal] = 0.0f;
-  open.push({0.0f, lengths_.offset(goal)});
-  const float straight = static_cast<float>(grid.resolution());
-  const float diagonal = static_cast<float>(grid.resolution() * M_SQRT2);
-  while (!open.empty()) {
-    const auto [length, offset] = open.top();
-    const CellIndex here = lengths_.cellAt(offset);
-    const auto [column, row] = here;
-    open.pop();
-    if (length > lengths_[here]) continue;
-    for (int up = -1; up <= 1; ++up) {
-      for (int right = -1; right <= 1; ++right) {
-        const float neighbour_cost = costAt(column + right, row + up);
-        if ((right == 0 && up == 0) || neighbour_cost <= 0.0f) continue;
-        const bool is_diagonal = right != 0 && up != 0;
-        if (is_diagonal && (costAt(column + right, row) <= 0.0f || costAt(column, row + up) <= 0.0f)) continue;
-        const float step = (is_diagonal ? diagonal : straight) * 0.5f * (cost[here] + neighbour_cost);
-        const CellIndex neighbour{column + right, row + up};
-        if (length + step >= lengths_[neighbour]) continue;
-        lengths_[neighbour] = length + step;
-        open.push({length + step, lengths_.offset(neighbour)});
-      }
-    }
-  }
+  lengths_ = pathLengths(cost, goal, CornerCutting::kForbidden, grid.resolution());
 }
 
 CellIndex GeodesicField::nextOnPath(CellIndex cell) const {

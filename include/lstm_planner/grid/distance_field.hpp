@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "lstm_planner/grid/occupancy_grid.hpp"
+#include "lstm_planner/grid/passable_grid.hpp"
 
 namespace lstm_planner {
 
@@ -19,10 +20,17 @@ class DistanceField {
   CellField<float> distances_;
 };
 
-/// Length of the shortest 8-connected path from every cell to `goal` (Dijkstra, no corner cutting), m. The path keeps
-/// to cells whose distance to a blocked cell is at least `clearance` (m), the radius of the robot. The length is +inf
-/// if there is no path; it is +inf everywhere if the goal is outside or too near to a blocked cell. Cells nearer than
-/// `comfort` to a blocked cell may count up to `1 + reluctance` times their length, so that paths lead through the
+/// Length of the shortest 8-connected path from every cell to `goal`, in the unit of `resolution`: +inf where there is
+/// no path, or one of 2^24 cells or more. `cost` is what a length in a cell counts: at least 1, or 0 where no path may
+/// lead. A move costs the mean of its two cells. If the goal is outside or its cost is 0, no cell has a path to it.
+template <typename Cost>
+CellField<float> pathLengths(const CellField<Cost>& cost, CellIndex goal, CornerCutting corner_cutting,
+                             double resolution);
+
+/// Length of the shortest 8-connected path from every cell to `goal` (pathLengths(), no corner cutting), m. The path
+/// keeps to cells whose distance to a blocked cell is at least `clearance` (m), the radius of the robot. The length is
+/// +inf if there is no path; it is +inf everywhere if the goal is outside or too near to a blocked cell. Cells nearer
+/// than `comfort` to a blocked cell may count up to `1 + reluctance` times their length, so that paths lead through the
 /// middle of doors.
 class GeodesicField {
  public:
