@@ -16,13 +16,6 @@ namespace {
 /// What a checkpoint says it is.
 constexpr const char* kActorCriticFormat = "lstm_planner drive actor-critic 1";
 
-OptimiserParameters optimiserParameters(double learning_rate, double max_norm) {
-  OptimiserParameters parameters;
-  parameters.learning_rate = learning_rate;
-  parameters.max_gradient_norm = max_norm;
-  return parameters;
-}
-
 }  // namespace
 
 void validate(const ActorCriticParameters& parameters) {
@@ -70,8 +63,8 @@ CriticSums& CriticSums::operator+=(const CriticSums& other) {
 
 ActorCritic::ActorCritic(const ActorCriticParameters& parameters, int updates, const LayerStack& policy,
                          const LayerStack& critic, std::size_t sets)
-    : parameters_(parameters),
-      last_update_(updates),
+    : LearningProgress(updates),
+      parameters_(parameters),
       policy_(parameterVector(policy)),
       critic_(parameterVector(critic)),
       policy_optimiser_(optimiserParameters(parameters.learning_rate, parameters.max_gradient_norm),
@@ -79,8 +72,6 @@ ActorCritic::ActorCritic(const ActorCriticParameters& parameters, int updates, c
       critic_optimiser_(optimiserParameters(parameters.critic_learning_rate, parameters.max_gradient_norm),
                         weightMask(critic)),
       advantage_variances_(sets, 1.0) {}
-
-double ActorCritic::progress() const { return std::min(1.0, static_cast<double>(updates_) / last_update_); }
 
 double ActorCritic::entropyWeight() const {
   return parameters_.entropy_start + (parameters_.entropy_end - parameters_.entropy_start) * progress();
@@ -92,11 +83,6 @@ void ActorCritic::updatePolicy(const Eigen::VectorXf& gradient, double steps) {
 
 void ActorCritic::updateCritic(const Eigen::VectorXf& gradient, double steps) {
   critic_optimiser_.update(gradient * static_cast<float>(1.0 / steps), progress(), critic_);
-}
-
-void ActorCritic::finishUpdate(double steps) {
-  ++updates_;
-  steps_ += steps;
 }
 
 std::vector<std::uint8_t> ActorCritic::checkpoint() const {

@@ -1,6 +1,5 @@
 #include "lstm_planner/training/q_learner.hpp"
 
-#include <algorithm>
 #include <climits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -22,13 +21,6 @@ constexpr double kExplorationStart = 1.0;
 constexpr double kExplorationEnd = 0.05;
 constexpr double kExplorationShare = 0.3;  ///< of the updates, after which the end is reached
 
-OptimiserParameters optimiserParameters(const QLearningParameters& parameters) {
-  OptimiserParameters optimiser;
-  optimiser.learning_rate = parameters.learning_rate;
-  optimiser.max_gradient_norm = parameters.max_gradient_norm;
-  return optimiser;
-}
-
 }  // namespace
 
 void validate(const QLearningParameters& parameters) {
@@ -37,7 +29,7 @@ void validate(const QLearningParameters& parameters) {
   checkAtLeastOne("window", parameters.window);
   checkAtLeastOne("max_steps", parameters.max_steps);
   checkAtLeastOne("threads", parameters.threads);
-  validate(optimiserParameters(parameters));
+  validate(optimiserParameters(parameters.learning_rate, parameters.max_gradient_norm));
 }
 
 std::vector<double> lambdaTargets(const std::vector<QTransition>& steps, double discount, double trace_decay) {
@@ -54,13 +46,11 @@ std::vector<double> lambdaTargets(const std::vector<QTransition>& steps, double 
 }
 
 QLearner::QLearner(const QLearningParameters& parameters, int updates, const LayerStack& layers)
-    : parameters_(parameters),
-      last_update_(updates),
+    : LearningProgress(updates),
+      parameters_(parameters),
       weights_(parameterVector(layers)),
       target_weights_(weights_),
-      optimiser_(optimiserParameters(parameters), weightMask(layers)) {}
-
-double QLearner::progress() const { return std::min(1.0, static_cast<double>(updates_) / last_update_); }
+      optimiser_(optimiserParameters(parameters.learning_rate, parameters.max_gradient_norm), weightMask(layers)) {}
 
 double QLearner::epsilon() const {
   if (progress() >= kExplorationShare) return kExplorationEnd;
@@ -72,11 +62,6 @@ void QLearner::startUpdate() {
 }
 
 void QLearner::update(const Eigen::VectorXf& gradient) { optimiser_.update(gradient, progress(), weights_); }
-
-void QLearner::finishUpdate(double steps) {
-  ++updates_;
-  steps_ += steps;
-}
 
 std::vector<std::uint8_t> QLearner::checkpoint() const {
   const nlohmann::json content = {{"format", kQLearningFormat},

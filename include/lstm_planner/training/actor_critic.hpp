@@ -59,7 +59,7 @@ struct CriticSums {
 
 /// The weights of a policy and its critic while they learn, on any course: optimisers, schedule, the variance of the
 /// advantages, and the checkpoint of all this.
-class ActorCritic {
+class ActorCritic : public LearningProgress {
  public:
   /// The layers hold the weights to start from. `sets`: number of parts of the course, each with its own variance.
   /// `updates`: number of updates in the whole training.
@@ -79,28 +79,18 @@ class ActorCritic {
   /// start at 1.
   std::vector<double>& advantageVariances() { return advantage_variances_; }
 
-  /// To be called after an update with so many steps of the agents.
-  void finishUpdate(double steps);
-  int updates() const { return updates_; }
-  double steps() const { return steps_; }  ///< of all updates
-
   /// Everything that the next update depends on.
   std::vector<std::uint8_t> checkpoint() const;
   /// Throws std::invalid_argument if it is not a checkpoint of the same course and networks.
   void restore(const std::vector<std::uint8_t>& checkpoint);
 
  private:
-  double progress() const;
-
   ActorCriticParameters parameters_;
-  int last_update_;
   Eigen::VectorXf policy_;
   Eigen::VectorXf critic_;
   Optimiser policy_optimiser_;
   Optimiser critic_optimiser_;
   std::vector<double> advantage_variances_;
-  double steps_ = 0.0;
-  int updates_ = 0;
 };
 
 /// Generalised advantages (Schulman et al., "High-dimensional continuous control using generalized advantage

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 
 namespace lstm_planner {
 
@@ -31,6 +32,13 @@ struct OptimiserParameters {
   double l1_decay = 0.0;
   double max_gradient_norm = 1;  ///< longer gradients of the error (without decay) are shortened to this; 0: never
 };
+
+inline OptimiserParameters optimiserParameters(double learning_rate, double max_gradient_norm) {
+  OptimiserParameters parameters;
+  parameters.learning_rate = learning_rate;
+  parameters.max_gradient_norm = max_gradient_norm;
+  return parameters;
+}
 
 /// Throws std::invalid_argument with one sentence naming the parameter, its value and its range.
 void validate(const OptimiserParameters& parameters);
@@ -70,6 +78,31 @@ class Optimiser {
   OptimiserParameters parameters_;
   Eigen::VectorXf mask_;
   State state_;
+};
+
+/// How far a learner is, on which its optimisers' rates depend.
+class LearningProgress {
+ public:
+  /// `updates`: number of updates in the whole training.
+  explicit LearningProgress(int updates) : last_update_(updates) {}
+
+  /// Share of the training that is done.
+  double progress() const { return std::min(1.0, static_cast<double>(updates_) / last_update_); }
+  int updates() const { return updates_; }
+  double steps() const { return steps_; }  ///< of all updates
+
+  /// To be called after an update with so many steps of the agents.
+  void finishUpdate(double steps) {
+    ++updates_;
+    steps_ += steps;
+  }
+
+ protected:
+  int updates_ = 0;
+  double steps_ = 0.0;
+
+ private:
+  int last_update_;
 };
 
 }  // namespace lstm_planner

@@ -69,7 +69,7 @@ void validate(const QLearningParameters& parameters);
 /// The weights of a network of values while it learns, on any course: the target network, optimiser and schedule, and
 /// the checkpoint of all this. The learning rate falls to 0 along half a cosine; the share of random actions falls
 /// linearly, then stays.
-class QLearner {
+class QLearner : public LearningProgress {
  public:
   /// The layers hold the weights to start from. `updates`: number of updates in the whole training. Throws
   /// std::invalid_argument as validate(OptimiserParameters).
@@ -77,17 +77,12 @@ class QLearner {
 
   const Eigen::VectorXf& weights() const { return weights_; }
   const Eigen::VectorXf& targetWeights() const { return target_weights_; }
-  double progress() const;  ///< share of the training that is done
-  double epsilon() const;   ///< share of random actions, in the next update
+  double epsilon() const;  ///< share of random actions, in the next update
 
   /// Copies the weights into the target network if it is time to.
   void startUpdate();
   /// One step of the optimiser.
   void update(const Eigen::VectorXf& gradient);
-  /// To be called after an update with so many steps of the agents.
-  void finishUpdate(double steps);
-  int updates() const { return updates_; }
-  double steps() const { return steps_; }  ///< of all updates
 
   /// Everything that the next update depends on.
   std::vector<std::uint8_t> checkpoint() const;
@@ -96,12 +91,9 @@ class QLearner {
 
  private:
   QLearningParameters parameters_;
-  int last_update_;
   Eigen::VectorXf weights_;
   Eigen::VectorXf target_weights_;
   Optimiser optimiser_;
-  double steps_ = 0.0;
-  int updates_ = 0;
 };
 
 }  // namespace lstm_planner
