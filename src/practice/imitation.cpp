@@ -214,7 +214,8 @@ DriveImitation::DriveImitation(const ImitationParameters& parameters, const Prog
     : DriveImitation(parameters, std::make_unique<DriveImitationCourse>(parameters, progress)) {}
 
 DriveImitation::DriveImitation(const ImitationParameters& parameters, std::unique_ptr<DriveImitationCourse> course)
-    : course_(*course), rounds_(roundsOf(parameters), firstLayers(parameters), std::move(course)) {}
+    : ImitationRounds(roundsOf(parameters), firstLayers(parameters), std::move(course)),
+      course_(static_cast<DriveImitationCourse&>(ImitationRounds::course())) {}
 
 std::size_t DriveImitation::drivenSteps() const { return course_.steps(); }
 double DriveImitation::drivenShare() const { return course_.share(); }

@@ -65,8 +65,8 @@ class ImitationHost : public ToolTrainingHost {
     writeRobotModel(options_, options_.imitation.policy, layers, score_);
   }
   void judged(const Judgement& /*judgement*/) override {
-    const EpochReport epoch = training_.rounds().roundResult().best();
-    std::cout << table_.line({std::to_string(training_.rounds().round()), std::to_string(training_.drivenSteps()),
+    const EpochReport epoch = training_.roundResult().best();
+    std::cout << table_.line({std::to_string(training_.round()), std::to_string(training_.drivenSteps()),
                               fixedText(epoch.validation.accuracy(), 3), fixedText(score_.arrival, 3),
                               fixedText(score_.efficiency, 3)})
               << std::endl;
@@ -81,7 +81,7 @@ class ImitationHost : public ToolTrainingHost {
 
  private:
   double progress() const override { return training_.drivenShare(); }
-  std::string position() const override { return positionOf(training_.rounds()); }
+  std::string position() const override { return positionOf(training_); }
   std::string scoreText(double /*score*/) const override { return toText(kept_); }
   void printHeader() const override { std::cout << table_.headings() << std::endl; }
 
@@ -99,7 +99,7 @@ int trainRobotByDagger(const std::vector<std::string>& arguments) {
   if (!readOptions(arguments, &options)) return 0;
   ImitationHost host(options);
   const TrainingOutcome outcome = runTraining(options.loop, &host.training(), &host);
-  if (!options.curve.empty()) writeLearningCurve(options.curve, host.training().rounds().curve());
+  if (!options.curve.empty()) writeLearningCurve(options.curve, host.training().curve());
   return host.end(outcome);
 }
 

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <vector>
 
 #include "lstm_planner/drive/decision/drive_policy.hpp"
 #include "lstm_planner/practice/drive_course.hpp"
@@ -54,30 +53,21 @@ using ProgressCallback = std::function<void(double)>;
 
 /// A step is an epoch; the first one of each round first collects drives. A judgement is due after the last one of each
 /// round. The same parameters give the same weights, for any number of threads.
-class DriveImitation : public SteppedTraining {
+class DriveImitation : public ImitationRounds {
  public:
   /// Throws as validate().
   explicit DriveImitation(const ImitationParameters& parameters, const ProgressCallback& progress = {});
 
-  const ImitationRounds& rounds() const { return rounds_; }
   std::size_t drivenSteps() const;  ///< of all training drives so far, also steps without an answer of the teacher
   double drivenShare() const;       ///< share of worlds that are done: the simulation takes most of the time
 
   /// The score of these layers alone in the validation drives.
   DriveScore judge(const LayerStack& layers);
 
-  bool done() const override { return rounds_.done(); }
-  void step() override { rounds_.step(); }
-  const LayerStack& layers() const override { return rounds_.layers(); }
-  bool judgementDue() const override { return rounds_.judgementDue(); }
-  std::vector<std::uint8_t> checkpoint() const override { return rounds_.checkpoint(); }
-  void restore(const std::vector<std::uint8_t>& checkpoint) override { rounds_.restore(checkpoint); }
-
  private:
   DriveImitation(const ImitationParameters& parameters, std::unique_ptr<DriveImitationCourse> course);
 
   DriveImitationCourse& course_;  ///< the rounds own it
-  ImitationRounds rounds_;
 };
 
 }  // namespace lstm_planner

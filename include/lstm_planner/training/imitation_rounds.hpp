@@ -77,6 +77,9 @@ class ImitationRounds : public SteppedTraining {
   std::vector<std::uint8_t> checkpoint() const override { return toBytes(state_); }
   void restore(const std::vector<std::uint8_t>& checkpoint) override;
 
+ protected:
+  ImitationCourse& course() { return *course_; }
+
  private:
   bool roundDone() const { return epochsOfRound() >= parameters_.trainer.epochs; }
   void startRound();

@@ -98,7 +98,7 @@ TEST(Imitation, LearnsWhatTheTeacherDoesAtEachLabel) {
   parameters.trainer.optimiser.learning_rate = 0.02;
   DriveImitation training(parameters);
   finish(&training);
-  const std::vector<EpochReport> curve = training.rounds().curve();
+  const std::vector<EpochReport> curve = training.curve();
   // Always the same one of five answers is worth 20 %, though the most frequent label alone is worth 61 % unbalanced.
   EXPECT_LT(balancedAccuracy(curve.front().training.confusion), 0.3);
   EXPECT_GT(balancedAccuracy(curve.back().training.confusion), 0.5);
