@@ -47,6 +47,17 @@ void addGridMapOptions(GridTrainingOptions* options, CommandLine* line);
 /// that cannot be written.
 void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrainingOptions* options, CommandLine* line);
 
+/// What the options say of the paths to learn from, and of how.
+template <typename Parameters>
+void takeOver(const GridTrainingOptions& options, Parameters* parameters) {
+  parameters->course.min_length = options.min_length;
+  parameters->course.max_length = options.max_length;
+  parameters->course.dead_end_share = options.dead_ends;
+  parameters->course.corner_cutting = options.corner_cutting;
+  parameters->seed = options.seed;
+  parameters->threads = options.threads;
+}
+
 /// The network to start with: random, or that of `from`.
 LayerStack firstLayers(const GridTrainingOptions& options);
 

@@ -67,12 +67,7 @@ bool readImitationOptions(const std::string& method, const std::vector<std::stri
   if (!line.parse(arguments)) return false;
   if (thesis && !line.given("batch-steps")) p.batch_steps = dataset.sequence_steps;
   p.trainer.epochs = options->epochs;
-  p.course.min_length = options->min_length;
-  p.course.max_length = options->max_length;
-  p.course.dead_end_share = options->dead_ends;
-  p.course.corner_cutting = options->corner_cutting;
-  p.seed = options->seed;
-  p.threads = options->threads;
+  takeOver(*options, &p);
   validate(p);
   options->loop.settings = line.settings();
   return true;

@@ -168,12 +168,8 @@ bool readOptions(const std::vector<std::string>& arguments, GridTrainingOptions*
   visitGridQLearningParameters(p, line.everyParameter());
   visitQLearningParameters(p, line.everyParameter());
   if (!line.parse(arguments)) return false;
-  p.course.min_length = options->min_length;
-  p.course.max_length = options->max_length;
-  p.course.dead_end_share = options->dead_ends;
   p.epochs = options->epochs;
-  p.seed = options->seed;
-  p.threads = options->threads;
+  takeOver(*options, &p);
   validate(p);
   options->loop.settings = line.settings();
   return true;

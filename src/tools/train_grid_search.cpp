@@ -40,10 +40,7 @@ bool readOptions(const std::vector<std::string>& arguments, SearchOptions* optio
   if (!line.parse(arguments)) return false;
   options->grid.command = trainCommandLine(arguments);
   imitation.trainer.epochs = options->grid.epochs;
-  imitation.course.min_length = options->grid.min_length;
-  imitation.course.max_length = options->grid.max_length;
-  imitation.seed = options->grid.seed;
-  imitation.threads = options->grid.threads;
+  takeOver(options->grid, &imitation);
   validate(imitation);
   checkWithoutExtension(options->output, {".md", ".csv"});
   return true;

@@ -117,6 +117,7 @@ void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTra
   line->addChoice("task", &o.task, {"robot", "grid"}, "robot (this) or grid");
   line->add("method", &o.method, "dagger (default), actor-critic or dataset; --method NAME --help explains it");
   line->addOutput("output", &o.loop.output, "ONNX file to write");
+  line->addOutput("checkpoint", &o.loop.checkpoint, "checkpoint file: is written, and continued from if it exists");
   addWorldKinds(&o.course.worlds, line);
   line->add("dead-ends", &o.course.dead_end_share, kAnyShare, "share of the drives that start in a dead end");
   line->add("shortest", &o.course.shortest, {0.01, 1e4}, "m; smallest length of the path from start to goal");

@@ -29,8 +29,6 @@ void addOptions(const std::vector<std::string>& arguments, RobotReinforcementPla
   DriveActorCriticParameters& p = plan->learner;
   addRobotTrainingOptions(arguments, &plan->options, line);
   line->addFile("init", &plan->init, "model file to start from; it determines layers and inputs").mayBeReplaced();
-  line->addOutput("checkpoint", &plan->options.loop.checkpoint,
-                  "checkpoint file: is written, and continued from if it exists");
   line->addChoice("keep", &plan->options.loop.keep_last, {{"best", false}, {"last", true}},
                   "which network to write: best (the most efficient of the networks judged so far) or last")
       .changesNoResult();

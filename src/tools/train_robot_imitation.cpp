@@ -30,8 +30,6 @@ bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* op
   addRobotTrainingOptions(arguments, options, &line);
   addRobotNetworkOptions(&options->network, &imitation.policy.encoder, &line);
   line.addOutput("curve", &options->curve, "PNG file for the accuracy curve; a CSV file is written beside it");
-  line.addOutput("checkpoint", &options->loop.checkpoint,
-                 "checkpoint file: is written, and continued from if it exists");
   visitImitationParameters(imitation, line.everyParameter());
   addLossOption(&imitation.trainer.loss, &line);
   if (!line.parse(arguments)) return false;
