@@ -49,7 +49,6 @@ GridActor::Outcome GridActor::step(int direction, int max_steps) {
 
 QSums& QSums::operator+=(const QSums& other) {
   steps += other.steps;
-  value += other.value;
   squared_error += other.squared_error;
   reward += other.reward;
   ended += other.ended;
@@ -150,7 +149,6 @@ void QTile::judge(int actor) {
     gradient[outputAt(actor, transition.direction)] =
         static_cast<float>(std::clamp(error, -parameters_.huber, parameters_.huber) / kValueScale);
     sums_.steps += 1.0;
-    sums_.value += transition.estimate;
     sums_.squared_error += error * error;
     sums_.reward += transition.reward;
   }

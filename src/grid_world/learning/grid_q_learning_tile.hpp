@@ -58,8 +58,7 @@ class GridActor {
 /// What is added up over the steps of a window.
 struct QSums {
   double steps = 0.0;
-  double value = 0.0;          ///< of the moves that were made
-  double squared_error = 0.0;  ///< of these values
+  double squared_error = 0.0;  ///< of the values of the moves that were made
   double reward = 0.0;
   double ended = 0.0;    ///< episodes
   double arrived = 0.0;  ///< of these
