@@ -24,9 +24,9 @@ class OutputPaths(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.home = folder.name
 
-    def start(self, node, *arguments):
+    def start(self, node, *arguments, stderr=None):
         program = roslib.packages.find_node("lstm_planner", node)[0]
-        process = subprocess.Popen([program, *arguments], env=dict(os.environ, HOME=self.home))
+        process = subprocess.Popen([program, *arguments], env=dict(os.environ, HOME=self.home), stderr=stderr, text=True)
         self.addCleanup(end, process)
         return process
 
@@ -42,7 +42,10 @@ class OutputPaths(unittest.TestCase):
         self.assert_written("decisions.csv")
 
     def test_decisions_that_cannot_be_written_are_refused_before_the_drive(self):
-        self.assertEqual(self.start("drive_advice", "_decisions:=~/missing/decisions.csv", MODEL).wait(30.0), 1)
+        advice = self.start("drive_advice", "_decisions:=~/missing/decisions.csv", MODEL, stderr=subprocess.PIPE)
+        said = advice.communicate(timeout=30.0)[1]
+        self.assertEqual(advice.returncode, 1)
+        self.assertIn("cannot write '%s/missing/decisions.csv': " % self.home, said)
 
     def test_the_result_and_the_picture_of_demo_runner(self):
         rosgraph.Master("/output_paths").setParam("/demo_runner/scenario/goals", GOALS)
