@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -19,6 +20,21 @@ std::string robotText(double footprint_radius, double clearance, double needed) 
   return text.str();
 }
 
+/// Marks all places that a goal can be got to from, where no two of them are `shortest` (m) apart: by way of the goal
+/// they are twice as far apart as the farthest from it, at the most.
+void markNear(const GeodesicField& to_goal, const std::vector<CellIndex>& standing, double shortest,
+              CellField<char>* near) {
+  constexpr double kTwice = 2.0001;  // lengths are rounded
+  double farthest = 0.0;
+  for (const CellIndex cell : standing) {
+    if (const double length = to_goal.at(cell); std::isfinite(length)) farthest = std::max(farthest, length);
+  }
+  if (kTwice * farthest >= shortest) return;
+  for (const CellIndex cell : standing) {
+    if (std::isfinite(to_goal.at(cell))) (*near)[cell] = 1;
+  }
+}
+
 }  // namespace
 
 std::vector<DriveTask> drawTasks(const GridWorld& world, int count, double footprint_radius, double clearance,
@@ -34,6 +50,7 @@ std::vector<DriveTask> drawTasks(const GridWorld& world, int count, double footp
   std::vector<DriveTask> tasks;
   GeodesicField::Options options;
   options.clearance = needed;
+  CellField<char> near(grid.columns(), grid.rows(), 0);  // goals that nothing is far enough away from
   // Where only few pairs of places are far enough apart, one takes some hundred draws.
   const int most_draws = 1000 + 100 * count;
   for (int draws = 0; static_cast<int>(tasks.size()) < count; ++draws) {
@@ -46,8 +63,12 @@ std::vector<DriveTask> drawTasks(const GridWorld& world, int count, double footp
     const CellIndex goal = standing[uniformIndex(random, standing.size())];
     const CellIndex start = standing[uniformIndex(random, standing.size())];
     const double yaw = (2.0 * uniform(random) - 1.0) * M_PI;
+    if (near[goal] != 0) continue;
     const GeodesicField to_goal(grid, distances, goal, options);
-    if (!std::isfinite(to_goal.at(start)) || to_goal.at(start) < shortest) continue;
+    if (!std::isfinite(to_goal.at(start)) || to_goal.at(start) < shortest) {
+      markNear(to_goal, standing, shortest, &near);
+      continue;
+    }
     const double length = shortestPath(distances, to_goal, grid, start, goal, needed);
     if (length >= shortest) {
       const Point2 from = grid.centerOf(start);
