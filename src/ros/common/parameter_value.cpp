@@ -11,18 +11,14 @@ using XmlRpc::XmlRpcValue;
 
 /// With as many digits as it takes to read the same number again.
 std::string textOfNumber(double number) {
-  std::string text;
-  for (int digits = std::numeric_limits<double>::digits10; digits <= std::numeric_limits<double>::max_digits10;
-       ++digits) {
-    std::ostringstream stream;
-    stream.precision(digits);
-    stream << number;
-    text = stream.str();
+  for (int digits = std::numeric_limits<double>::digits10;; ++digits) {
+    std::ostringstream text;
+    text.precision(digits);
+    text << number;
     double again = 0.0;
-    std::istringstream(text) >> again;
-    if (again == number) break;
+    std::istringstream(text.str()) >> again;
+    if (again == number || digits == std::numeric_limits<double>::max_digits10) return text.str();
   }
-  return text;
 }
 
 std::optional<std::string> textOfList(XmlRpcValue list) {
