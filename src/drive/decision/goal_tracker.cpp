@@ -33,8 +33,8 @@ void GoalTracker::announce(const GoalInFrame& goal) {
 }
 
 GoalTracker::Verdict GoalTracker::ask(const GoalInFrame& goal, double time) {
-  has_paused_ = !isDriven(goal) || std::abs(time - asked_) > patience_;
-  if (announced_ && sameGoal(*announced_, goal) && has_paused_) {
+  const bool goes_on = isDriven(goal) && std::abs(time - asked_) <= patience_;
+  if (announced_ && sameGoal(*announced_, goal) && !goes_on) {
     driven_ = goal;
     starts_anew_ = true;
   }
@@ -42,7 +42,7 @@ GoalTracker::Verdict GoalTracker::ask(const GoalInFrame& goal, double time) {
   if (isDriven(goal)) {
     asked_ = time;
     candidate_.reset();
-    const bool starts_anew = starts_anew_;
+    const bool starts_anew = starts_anew_ || (is_given_up_ && !goes_on);
     starts_anew_ = false;
     return starts_anew ? Verdict::kNewGoal : Verdict::kDriven;
   }

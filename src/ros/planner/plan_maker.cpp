@@ -118,6 +118,7 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
   const bool driven = verdict_ != GoalTracker::Verdict::kQuestion;
   const Pose2 asked = compose(drift_.correction(), global_goal);
   const Decision& decision = driven ? drive(global_goal, is_new) : preview(asked);
+  if (driven) tracker_.setGivenUp(decision.choice == Decision::Move::kNoPath);
   const Pose2 agent_goal = driven ? goal_changes_.goal() : asked;
   const auto bent = bentAway(agent_, agent_.situation().pose, decision, parameters_.rollout.clearance);
   rollOut(agent_.situation(), bent.value_or(decision), agent_.shield(), agent_goal, parameters_.agent,
@@ -217,11 +218,6 @@ void PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {
     tracker_.announce(announcedIn(goal.frame, *announced));
   }
   verdict_ = tracker_.ask(goal, now_.toSec());
-  // Who asks again after a pause hopes that the way has become free.
-  const bool is_given_up = agent_.decision().choice == Decision::Move::kNoPath;
-  if (verdict_ == GoalTracker::Verdict::kDriven && tracker_.hasPaused() && is_given_up) {
-    verdict_ = GoalTracker::Verdict::kNewGoal;
-  }
   if (verdict_ == GoalTracker::Verdict::kNewGoal) {
     driven_goal_ = *goal_in_global_frame;
   } else if (verdict_ == GoalTracker::Verdict::kDriven) {

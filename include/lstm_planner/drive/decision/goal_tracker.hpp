@@ -46,8 +46,9 @@ class GoalTracker {
   /// A plan for `goal` is asked for at `time` (s).
   Verdict ask(const GoalInFrame& goal, double time);
 
-  /// Whether nobody had asked for the driven goal for `patience` s, before the last call.
-  bool hasPaused() const { return has_paused_; }
+  /// Whether the drive to the driven goal has been given up. Who asks for it again after `patience` s hopes that the
+  /// way has become free: it is new then.
+  void setGivenUp(bool is_given_up) { is_given_up_ = is_given_up; }
 
  private:
   /// A goal that is asked for and not driven to.
@@ -61,10 +62,10 @@ class GoalTracker {
   double patience_;
   bool announces_each_plan_;
   std::optional<GoalInFrame> announced_;  ///< before the next plan, where each is announced
-  bool has_paused_ = false;
-  double asked_ = 0.0;  ///< s, when the driven goal was asked for last
+  double asked_ = 0.0;                    ///< s, when the driven goal was asked for last
   std::optional<GoalInFrame> driven_;
   bool starts_anew_ = false;  ///< announced, but not asked for since
+  bool is_given_up_ = false;  ///< the drive to the driven goal
   std::optional<Candidate> candidate_;
 };
 

@@ -19,9 +19,18 @@ TEST(GoalTrackerTest, AnnouncedGoalIsNewOnceAndDrivenAfterwards) {
   tracker.announce(kGoal);
   EXPECT_EQ(tracker.ask(kGoal, 0.0), Verdict::kNewGoal);
   EXPECT_EQ(tracker.ask(kGoal, 0.2), Verdict::kDriven);
-  EXPECT_FALSE(tracker.hasPaused());
   EXPECT_EQ(tracker.ask(kGoal, 100.0), Verdict::kDriven);
-  EXPECT_TRUE(tracker.hasPaused());
+}
+
+TEST(GoalTrackerTest, AGoalThatWasGivenUpIsNewAfterAPause) {
+  GoalTracker tracker(kPatience);
+  tracker.announce(kGoal);
+  tracker.ask(kGoal, 0.0);
+  tracker.setGivenUp(true);
+  EXPECT_EQ(tracker.ask(kGoal, 0.2), Verdict::kDriven) << "move_base goes on asking until its own patience ends";
+  EXPECT_EQ(tracker.ask(kGoal, 100.0), Verdict::kNewGoal);
+  tracker.setGivenUp(false);
+  EXPECT_EQ(tracker.ask(kGoal, 200.0), Verdict::kDriven);
 }
 
 TEST(GoalTrackerTest, AnnouncingTheSamePoseAgainStartsAnew) {
