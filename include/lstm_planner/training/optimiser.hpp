@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 
 namespace lstm_planner {
 
@@ -33,6 +32,7 @@ struct OptimiserParameters {
   double max_gradient_norm = 1;  ///< longer gradients of the error (without decay) are shortened to this; 0: never
 };
 
+/// Those of a learner by reinforcement; the others are the defaults.
 inline OptimiserParameters optimiserParameters(double learning_rate, double max_gradient_norm) {
   OptimiserParameters parameters;
   parameters.learning_rate = learning_rate;
@@ -78,31 +78,6 @@ class Optimiser {
   OptimiserParameters parameters_;
   Eigen::VectorXf mask_;
   State state_;
-};
-
-/// How far a learner is, on which its optimisers' rates depend.
-class LearningProgress {
- public:
-  /// `updates`: number of updates in the whole training.
-  explicit LearningProgress(int updates) : last_update_(updates) {}
-
-  /// Share of the training that is done.
-  double progress() const { return std::min(1.0, static_cast<double>(updates_) / last_update_); }
-  int updates() const { return updates_; }
-  double steps() const { return steps_; }  ///< of all updates
-
-  /// To be called after an update with so many steps of the agents.
-  void finishUpdate(double steps) {
-    ++updates_;
-    steps_ += steps;
-  }
-
- protected:
-  int updates_ = 0;
-  double steps_ = 0.0;
-
- private:
-  int last_update_;
 };
 
 }  // namespace lstm_planner

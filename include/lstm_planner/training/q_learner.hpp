@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lstm_planner/network/layers.hpp"
+#include "lstm_planner/training/learning_progress.hpp"
 #include "lstm_planner/training/optimiser.hpp"
 
 namespace lstm_planner {
