@@ -38,8 +38,7 @@ class ControlledRobot : public LoopRobot {
 
   /// Sees what the last scan showed until the scanner has taken another one.
   bool sense(double range_cap, Situation* situation) override {
-    is_fresh_ = robot_.time() >= next_scan_;
-    if (!is_fresh_) return true;
+    if (robot_.time() < next_scan_) return true;
     try {
       robot_.sense(range_cap, situation);
       if (correct_drift_) correction_.correct(situation);
@@ -81,14 +80,14 @@ class ControlledRobot : public LoopRobot {
 
   /// `shield`: as seen from where the scan was taken.
   MotionCommand nextCommand(const Situation& situation, const Shield& shield) {
-    if (is_fresh_) {
+    const double scan_age = robot_.time() - situation.time;
+    if (scan_age == 0.0) {
       return tracker_.compute({plan_, situation.pose, robot_.measuredTwist(), shield, kControlPeriod}, situation);
     }
     const Pose2 pose = believedPose();
     Shield from_here = shield;
     from_here.moveTo(compose(inverse(situation.pose), pose));
-    return tracker_.compute({plan_, pose, robot_.measuredTwist(), from_here, kControlPeriod}, situation,
-                            robot_.time() - situation.time);
+    return tracker_.compute({plan_, pose, robot_.measuredTwist(), from_here, kControlPeriod}, situation, scan_age);
   }
 
   SimulatedRobot& robot_;
@@ -100,7 +99,6 @@ class ControlledRobot : public LoopRobot {
   Pose2 goal_;
   std::vector<Pose2> plan_;
   int tick_ = 0;
-  bool is_fresh_ = false;              ///< the scan has been taken just now
   double next_scan_ = 0.0;             ///< s
   std::optional<double> stuck_since_;  ///< s
 };

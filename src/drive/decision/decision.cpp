@@ -1,6 +1,7 @@
 #include "lstm_planner/drive/decision/decision.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace lstm_planner {
 
@@ -12,7 +13,7 @@ Decision inParentFrame(const Pose2& frame, Decision decision) {
   decision.waypoint = toParentFrame(frame, decision.waypoint);
   decision.destination = toParentFrame(frame, decision.destination);
   decision.direction = normalizeAngle(frame.yaw + decision.direction);
-  for (Point2& corner : decision.path_on) corner = toParentFrame(frame, corner);
+  decision.path_on = toParentFrame(frame, std::move(decision.path_on));
   return decision;
 }
 
