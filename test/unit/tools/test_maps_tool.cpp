@@ -51,10 +51,14 @@ TEST_F(MapsTool, AFolderWhoseNameIsNoUtf8IsJudgedInLikeAnother) {
   success("maps --kind random --columns 32 --rows 32 --output " + folder);
   success("evaluate --agent greedy --scenarios " + folder + " --json " + in("result.json"));
   EXPECT_NE(bytesOf("result.json").find("\"name\": \"pi\xef\xbf\xbdge\""), std::string::npos);
-  const test::Outcome twice = runTool("evaluate --agent greedy --scenarios " + folder + " " + folder + "/Scenarios");
+}
+
+TEST_F(MapsTool, TwoSetsOfOneNameAreRefused) {
+  success("maps --kind random --columns 32 --rows 32 --output " + in("some"));
+  const std::string inside = in("some") + "/Scenarios";
+  const test::Outcome twice = runTool("evaluate --agent greedy --scenarios " + in("some") + " " + inside);
   EXPECT_EQ(twice.status, 2);
-  EXPECT_NE(twice.output.find("ge is given twice, again in '" + folder + "/Scenarios'"), std::string::npos)
-      << twice.output;
+  EXPECT_NE(twice.output.find("set some is given twice, again in '" + inside + "'"), std::string::npos) << twice.output;
 }
 
 TEST_F(MapsTool, EvaluateSaysAndWritesItsResultBeforeItDraws) {

@@ -99,10 +99,14 @@ double speedBeforeSomebody(double person, double way) {
 }
 
 TEST(MotionAmongPeople, KnowsHowFarTheRobotHasComeTowardsAPersonSinceTheScan) {
-  const double far = speedBeforeSomebody(1.3, 0.0);
-  EXPECT_GT(far, 0.15);
-  EXPECT_LT(speedBeforeSomebody(1.3, 0.2), far - 0.1) << "a person at 1 m/s leaves so much less time to brake";
-  EXPECT_NEAR(speedBeforeSomebody(1.3, 0.2), speedBeforeSomebody(1.1, 0.0), 0.02) << "the noise of the ranges";
+  constexpr double kWay = 0.2;  // m
+  // A way is 1 s a metre less time to brake before somebody who comes at 1 m/s; ranges have three times their noise.
+  const double braking = MotionParameters{}.linear_acceleration / MotionParameters{}.person_speed;
+  const double noise = braking * 3.0 * HokuyoParameters{}.noise;
+  const double before = speedBeforeSomebody(1.3, 0.0);
+  EXPECT_GT(before, 0.15);
+  EXPECT_LT(speedBeforeSomebody(1.3, kWay), before - braking * kWay + noise);
+  EXPECT_NEAR(speedBeforeSomebody(1.3, kWay), speedBeforeSomebody(1.3 - kWay, 0.0), noise);
 }
 
 TEST(MotionAmongPeople, WaitsForAPersonWhoCrossesAndThenGoesOn) {
