@@ -22,7 +22,8 @@ class DistanceField {
 
 /// Length of the shortest 8-connected path from every cell to `goal`, in the unit of `resolution`: +inf where there is
 /// no path, or one of 2^24 cells or more. `cost` is what a length in a cell counts: at least 1, or 0 where no path may
-/// lead. A move costs the mean of its two cells. If the goal is outside or its cost is 0, no cell has a path to it.
+/// lead. A move costs the mean of its two cells. If the goal is outside or its cost is 0, no cell has a path to it. For
+/// costs of float and std::uint8_t.
 template <typename Cost>
 CellField<float> pathLengths(const CellField<Cost>& cost, CellIndex goal, CornerCutting corner_cutting,
                              double resolution);

@@ -24,8 +24,8 @@ class CostmapReader {
   bool isUsed() const { return costmap_ != nullptr; }
   std::string frame() const;
 
-  /// As points of the base frame, until the next call. `base`: where it is in frame(), `returns` of the
-  /// scan in the base frame.
+  /// As points of the base frame, until the next call. `base`: where it is in frame(), `returns` of the scan
+  /// in the base frame.
   const std::vector<Point2>& read(const Pose2& base, const std::vector<Point2>& returns);
 
  private:

@@ -10,6 +10,7 @@
 
 namespace lstm_planner {
 
+/// Has guard(message, hear) called, as subscribeToDrive(), where hear() calls hear(message, time of now).
 template <typename Message, typename Guard, typename Hear>
 ros::Subscriber subscribeGuarded(const std::string& topic, std::uint32_t queue, const Guard& guard, const Hear& hear) {
   const boost::function<void(const boost::shared_ptr<const Message>&)> work = [=](const auto& message) {

@@ -128,10 +128,10 @@ constexpr double kShortestPeriod = 0.001;
 /// What a command is for.
 struct MotionSituation {
   const std::vector<Pose2>& plan;  ///< in the frame of `pose`
-  const Pose2 pose;
-  const Twist2 current;  ///< measured
-  const Shield& shield;  ///< has been shown the latest scan
-  const double period;   ///< s, to the next command; kShortestPeriod or more
+  const Pose2 pose;                ///< the newest
+  const Twist2 current;            ///< measured
+  const Shield& shield;            ///< shows the latest scan as it lies from `pose`
+  const double period;             ///< s, to the next command; kShortestPeriod or more
 };
 
 /// What was commanded before, and the path that a robot with corners came (Trail).

@@ -52,7 +52,8 @@ struct RangeProfile {
   double direction(std::size_t beam) const { return first_direction + static_cast<double>(beam) * increment; }
   /// True for a return with a range.
   bool isMeasured(std::size_t beam) const { return ranges[beam] > 0.0f && std::isfinite(ranges[beam]); }
-  /// Index of the beam nearest to `direction` (rad, base frame); -1 when none is within an increment of it.
+  /// Index of the beam nearest to `direction` (rad, base frame); -1 when none is within an increment of it,
+  /// unless the scan closes.
   long beamTowards(double direction) const;
   /// Whether the last beam is beside the first one, or one is missing between them: some drivers divide the span of the
   /// readings that they got by their number.
