@@ -11,6 +11,7 @@ import roslaunch.core
 import roslib.packages
 import rospkg
 import rostest
+import yaml
 
 # Drivers and viewers; their absence says nothing about the launch file.
 OPTIONAL_PACKAGES = {"create_driver", "hls_lfcd_lds_driver", "rplidar_ros", "urg_node", "rviz", "move_base"}
@@ -152,6 +153,20 @@ class LaunchFiles(unittest.TestCase):
             for costmap in ("global_costmap", "local_costmap"):
                 marked = self.parameter(config, "/move_base/%s/obstacle_layer/scan/obstacle_range" % costmap)
                 self.assertLess(marked, sight, name)
+
+    def test_move_base_goes_on_asking_when_the_scanner_is_dead(self):
+        # Else it never gives the goal up.
+        config = load("navigation.launch")
+        for costmap in ("global_costmap", "local_costmap"):
+            self.assertEqual(
+                self.parameter(config, "/move_base/%s/obstacle_layer/scan/expected_update_rate" % costmap), 0.0)
+
+    def test_move_base_stops_a_stock_local_planner_when_the_scanner_is_dead(self):
+        folder = os.path.join(rospkg.RosPack().get_path("lstm_planner"), "config")
+        for name in ("dwa_local_planner.yaml", "trajectory_planner.yaml"):
+            with open(os.path.join(folder, name), encoding="utf-8") as file:
+                layer = yaml.safe_load(file)["local_costmap"]["obstacle_layer"]
+            self.assertEqual(layer["scan"]["expected_update_rate"], 0.5)
 
     def test_several_robots_have_namespaces_and_frames_of_their_own(self):
         config = load("two_robots.launch", "rviz:=true", "start2:=[3.0, 3.0, 0.0]")
