@@ -438,6 +438,19 @@ TEST_F(PlannerTest, APlanThatSomebodyAsksForTellsNothingOfTheDrive) {
   })) << listener.latched().message;
 }
 
+TEST_F(PlannerTest, AGoalWhoseEndWasNotHeardIsNotSaidToBeNone) {
+  DiagnosticsListener listener("LstmGlobalPlanner");
+  DecisionListener decisions("LstmGlobalPlanner");
+  auto planner = makePlanner();
+  announce(stampedPose("odom", kGoal), planner.get(), &decisions);
+  const auto is_unasked = [&] { return listener.latched().message.find("nobody asks for plans") == 0; };
+  EXPECT_TRUE(eventually(is_unasked) || eventually(is_unasked)) << listener.latched().message;
+  EXPECT_EQ(
+      listener.latched().message,
+      "nobody asks for plans, but no end of the drive was heard: the goal was cancelled or given up, or move_base "
+      "waits (see its log)");
+}
+
 TEST_F(PlannerTest, TellsInDiagnosticsWhyThereIsNoPlan) {
   DiagnosticsListener listener("LstmGlobalPlanner");
   auto planner = makePlanner();

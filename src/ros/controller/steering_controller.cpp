@@ -161,7 +161,8 @@ void SteeringController::describeStop(PluginDiagnostics::Status* status) const {
   if (!plan_follower_) {
     status->summary(DiagnosticStatus::ERROR, "the controller cannot be used: " + why_unusable_);
   } else if (!isAsked()) {
-    status->summary(DiagnosticStatus::OK, "nobody asks for commands: there is no goal, or no plan to it");
+    status->summary(DiagnosticStatus::OK,
+                    "nobody asks for commands: there is no goal, or no plan to it, or move_base waits (see its log)");
   } else if (command.stop == StopReason::kNone || command.stop == StopReason::kArrived) {
     status->summary(DiagnosticStatus::OK, toString(command.stop));
   } else {

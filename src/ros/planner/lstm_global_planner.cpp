@@ -133,6 +133,12 @@ void LstmGlobalPlanner::describeState(PluginDiagnostics::Status* status) const {
   status->add("model", model_);
   const Decision& decision = plan_maker_->agent().decision();
   const std::optional<DriveEnd>& end = plan_maker_->end();
+  if (!isAsked() && plan_maker_->isDriving()) {
+    status->summary(DiagnosticStatus::OK,
+                    "nobody asks for plans, but no end of the drive was heard: the goal was cancelled or given up, or "
+                    "move_base waits (see its log)");
+    return;
+  }
   if (!isAsked() || (end && end->is_arrival && answer_.refusal.empty())) {
     const std::string last = end ? "; the last drive " + end->text() : "";
     status->summary(end && end->is_beside ? DiagnosticStatus::WARN : DiagnosticStatus::OK,

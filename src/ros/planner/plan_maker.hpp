@@ -66,6 +66,8 @@ class PlanMaker {
   void noteEnd(bool is_unasked);
   /// As ArrivalTeller.
   std::string besideGoal();
+  /// A goal was set, and it is not known how it ended.
+  bool isDriving() const { return is_driving_; }
   /// Of the last drive; none since a new goal.
   const std::optional<DriveEnd>& end() const { return end_; }
 
@@ -128,7 +130,7 @@ class PlanMaker {
   Decision preview_;            ///< of the last question
   std::vector<Pose2> plan_;     ///< of the current call, global frame
   Pose2 driven_goal_;           ///< global frame, as it was given
-  bool is_driving_ = false;     ///< a goal was set, and it is not known how it ended
+  bool is_driving_ = false;     ///< see isDriving()
   std::optional<DriveEnd> end_;
   std::optional<Leader> leader_;                ///< that was said last
   bool said_too_short_ = false;                 ///< of the scanner, that it is so for the network
