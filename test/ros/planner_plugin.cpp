@@ -146,6 +146,31 @@ TEST_F(PlannerTest, GoalThatIsTooFarAwayGivesNoPlan) {
                "the goal is 100000 m from the robot, expected at most 10000 m");
 }
 
+TEST_F(PlannerTest, TfOfAnotherOdometryThanTheTopicsIsWarnedOf) {
+  const std::string warning = "tf has the pose of another odometry";
+  double ahead = 0.0;  // m, of tf
+  auto planner = makePlanner();
+  robot_.alter_odometry = [&](nav_msgs::Odometry* odometry) { odometry->pose.pose.position.x += ahead; };
+  const auto drive = [&](double speed, double seconds) {
+    constexpr double kInterval = 0.05;  // s
+    for (double time = 0.0; time < seconds; time += kInterval) {
+      const Pose2 pose{robot_.pose().x + speed * kInterval, 0.0, 0.0};
+      robot_.moveTo(pose, kInterval);
+      EXPECT_TRUE(eventually(
+          [&] { return preview(planner.get()) && std::abs(plan_.front().pose.position.x - pose.x - ahead) < 1e-6; }));
+    }
+  };
+  constexpr double kFullSpeed = 2.0;  // m/s
+  ahead = 0.1 * kFullSpeed;           // tf is 0.1 s old
+  drive(kFullSpeed, 3.0);
+  log_.flush();
+  EXPECT_EQ(log_.count(warning), 0);
+  ahead = 0.3;
+  drive(0.0, 3.0);
+  log_.flush();
+  EXPECT_EQ(log_.count(warning), 1);
+}
+
 TEST_F(PlannerTest, ScanNarrowerThanTheSectorsGivesNoPlan) {
   auto planner = makePlanner();
   robot_.scan_span = M_PI_2;

@@ -4,6 +4,7 @@
 #include <tf2_ros/buffer.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -63,13 +64,18 @@ class FrameTransformer {
     return pose;
   }
 
+  /// The same at another time; none when that time is zero or not covered.
+  std::optional<Pose2> transformThen(const std::string& target, const std::string& source,
+                                     const ros::Time& time) const {
+    if (time.isZero() || !tf_.canTransform(target, source, time)) return std::nullopt;
+    return fromMessage(tf_.lookupTransform(target, source, time).transform);
+  }
+
   /// The same at another time; from the newest transforms when that time is zero or not covered.
   Pose2 transformAt(const std::string& target, const std::string& source, const ros::Time& time,
                     const ros::Time& now) const {
-    if (target != source && !time.isZero() && tf_.canTransform(target, source, time)) {
-      return fromMessage(tf_.lookupTransform(target, source, time).transform);
-    }
-    return transform(target, source, now);
+    const auto then = target == source ? std::nullopt : transformThen(target, source, time);
+    return then ? *then : transform(target, source, now);
   }
 
  private:

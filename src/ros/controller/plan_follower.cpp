@@ -41,6 +41,7 @@ PlanFollower::PlanFollower(const SteeringControllerParameters& parameters, const
       reach_(reachOf(parameters)),
       frames_(tf, parameters.sensors.tf_timeout),
       sensors_(&messages_, parameters.sensors, frameName(base_frame), tf),
+      tf_check_(frames_, frameName(base_frame), parameters.sensors.odom_topic),
       costmap_(parameters.use_costmap ? costmap : nullptr, reach_),
       tracker_(parameters.motion),
       shield_(footprintOf(parameters), parameters.motion.safety_margin, reach_),
@@ -88,6 +89,7 @@ void PlanFollower::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) 
 MotionCommand PlanFollower::compute() {
   const ros::Time now = ros::Time::now();
   const SensorReading reading = sensors_.read(now);
+  tf_check_.note(reading, now);
   checkPlanAge(now);
   const Pose2 odometry_from_plan = odometryFromPlan(reading.odometry_frame, now);
   if (!plan_jumps_) plan_jumps_ = reading.jumps;

@@ -20,6 +20,7 @@
 #include "ros/common/frame_transformer.hpp"
 #include "ros/common/message_queue.hpp"
 #include "ros/common/sensor_listener.hpp"
+#include "ros/common/tf_check.hpp"
 
 namespace lstm_planner {
 
@@ -75,6 +76,7 @@ class PlanFollower {
   FrameTransformer frames_;
   MessageQueue messages_;
   SensorListener sensors_;
+  TfCheck tf_check_;
   CostmapReader costmap_;
   PathTracker tracker_;
   IdleWatch idle_;

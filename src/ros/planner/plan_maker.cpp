@@ -55,6 +55,7 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
       tf_listener_(&tf_, messages_.nodeHandle()),
       frames_(tf_, parameters.sensors.tf_timeout),
       sensors_(&messages_, parameters.sensors, frameName(base_frame), tf_),
+      tf_check_(frames_, frameName(base_frame), parameters.sensors.odom_topic),
       costmap_(parameters.use_costmap ? costmap : nullptr, parameters.agent.shield.reach),
       goals_(messages_.nodeHandle(), messages_.nodeHandle("~")),
       tracker_(goalPatience(), announcesEachPlan()),
@@ -101,6 +102,7 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
   verdict_.reset();
   const GoalInFrame goal = goalFromMessage(goal_message);
   const SensorReading reading = sensors_.read(now_);
+  tf_check_.note(reading, now_);
   global_from_odometry_ = frames_.transform(global_frame_, reading.odometry_frame, now_);
   checkStart(start, compose(global_from_odometry_, reading.newest_pose));
   corrections_.note(global_from_odometry_, reading.newest_pose);

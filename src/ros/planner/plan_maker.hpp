@@ -24,6 +24,7 @@
 #include "ros/common/goal_listener.hpp"
 #include "ros/common/message_queue.hpp"
 #include "ros/common/sensor_listener.hpp"
+#include "ros/common/tf_check.hpp"
 #include "ros/planner/arrival_publisher.hpp"
 
 namespace lstm_planner {
@@ -110,6 +111,7 @@ class PlanMaker {
   TransformListener tf_listener_;
   FrameTransformer frames_;
   SensorListener sensors_;
+  TfCheck tf_check_;
   CostmapReader costmap_;
   std::vector<Point2> known_;  ///< returns of this scan and of earlier ones, base frame, m
   GoalListener goals_;
