@@ -70,6 +70,25 @@ class DriveMessagesTest : public testing::Test {
     return toMessage({x, 0.0, 0.0}, frame, now_);
   }
 
+  /// As rviz gives it, and as move_base passes it on to its action, which then makes an id.
+  void giveGoalOfRviz(double x) {
+    messages_.hearGoal(goal(x), "rviz", now_);
+    move_base_msgs::MoveBaseActionGoal passed_on;
+    passed_on.header.stamp = now_;
+    passed_on.goal.target_pose = goal(x);
+    messages_.hear(passed_on, "move_base", now_);
+  }
+
+  /// `made`: when the action made the id of the goal that ended.
+  void giveEnd(int status, const ros::Time& made) {
+    move_base_msgs::MoveBaseActionResult result;
+    result.header.stamp = now_;
+    result.status.status = static_cast<decltype(result.status.status)>(status);
+    result.status.goal_id.id = "/move_base-1-" + std::to_string(made.toSec());
+    result.status.goal_id.stamp = made;
+    messages_.hear(result, now_);
+  }
+
   /// At 0.2 m/s, ten times a second.
   void drive(double seconds) {
     for (int i = 0; i < std::lround(10.0 * seconds); ++i) {
@@ -219,6 +238,33 @@ TEST_F(DriveMessagesTest, CancellingUpToATimeIsHeardByGoalsOfBefore) {
   messages_.hear(after, now_);
   drive(1.0);
   EXPECT_FALSE(messages_.recorder().goal());
+}
+
+TEST_F(DriveMessagesTest, AGoalOfRvizEndsWithTheIdThatMoveBaseMadeForIt) {
+  for (const int status : {actionlib_msgs::GoalStatus::ABORTED, actionlib_msgs::GoalStatus::PREEMPTED}) {
+    const ros::Time given = now_;
+    giveGoalOfRviz(x_ + 5.0);
+    drive(2.0);
+    EXPECT_TRUE(messages_.recorder().goal());
+    giveEnd(status, given);
+    drive(2.0);
+    EXPECT_FALSE(messages_.recorder().goal());
+  }
+}
+
+TEST_F(DriveMessagesTest, TheEndOfAnEarlierGoalIsNotThatOfAGoalOfRviz) {
+  const ros::Time earlier = now_;
+  giveGoalOfRviz(4.0);
+  drive(3.0);
+  messages_.hearGoal(goal(5.0), "rviz", now_);
+  giveEnd(actionlib_msgs::GoalStatus::PREEMPTED, earlier);
+  drive(1.0);
+  EXPECT_TRUE(messages_.recorder().goal()) << "not passed on yet";
+  giveGoalOfRviz(6.0);
+  giveEnd(actionlib_msgs::GoalStatus::PREEMPTED, earlier);
+  drive(1.0);
+  ASSERT_TRUE(messages_.recorder().goal());
+  EXPECT_DOUBLE_EQ(messages_.recorder().goal()->pose.x, 6.0);
 }
 
 TEST_F(DriveMessagesTest, AGoalInAFrameOfTheRobotStaysWhereItWasGiven) {

@@ -67,7 +67,7 @@ TEST_F(RecorderTest, AGoalThatMoveBasePassesOnIsOneGoal) {
   start();
   const geometry_msgs::PoseStamped goal = goalAt(5.0, 0.0);
   giveGoal(goal);
-  giveActionGoal(goal, "a");
+  giveActionGoal(goal, "");
   drive({0.4, 0.0, 0.0}, 2.0);
   const Dataset dataset = finish();
   ASSERT_EQ(dataset.recordings.at(0).episodes.size(), 1U);

@@ -79,9 +79,14 @@ void DriveMessages::hear(const actionlib_msgs::GoalID& cancel, const ros::Time& 
 
 void DriveMessages::hear(const move_base_msgs::MoveBaseActionResult& result, const ros::Time& received) {
   const bool succeeded = result.status.status == actionlib_msgs::GoalStatus::SUCCEEDED;
-  // A goal that takes the place of another ends that one afterwards.
-  const bool of_another = result.status.goal_id.id != action_goal_.id;
-  if (!succeeded && !of_another) hearEnd(ros::Time(recentStampOr(result.header.stamp, received)));
+  if (!succeeded && isOurs(result.status.goal_id)) hearEnd(ros::Time(recentStampOr(result.header.stamp, received)));
+}
+
+/// A goal that takes the place of another ends that one afterwards.
+bool DriveMessages::isOurs(const actionlib_msgs::GoalID& ended) const {
+  if (!action_goal_.id.empty()) return ended.id == action_goal_.id;
+  // move_base passes on rviz's goals without an id, and its action makes one that nobody hears of before the result.
+  return !action_goal_.stamp.isZero() && ended.stamp >= action_goal_.stamp;
 }
 
 void DriveMessages::hearGoal(const geometry_msgs::PoseStamped& goal, const std::string& source,

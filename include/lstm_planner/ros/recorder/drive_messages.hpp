@@ -55,6 +55,8 @@ class DriveMessages {
   std::optional<Pose2> locate(const std::string& frame, double stamp) const;
   const SensorMount* mountOf(const std::string& frame);
   bool isUsable(const DriveEvent& event);
+  /// Of a goal that has ended, whether it is the newest.
+  bool isOurs(const actionlib_msgs::GoalID& ended) const;
   /// The goal is not driven to any more: cancelled or given up. `stamp`: when.
   void hearEnd(const ros::Time& stamp);
   /// `stamp`, or just behind what was said of goals before: computers' clocks differ, and goals are stamped some time
@@ -69,8 +71,9 @@ class DriveMessages {
   bool odometry_heard_ = false;
   std::optional<SensorMount> given_mount_;
   std::optional<LastGoal> last_goal_;
-  actionlib_msgs::GoalID action_goal_;  ///< move_base's newest; empty id: the newest goal is not move_base's
-  double last_word_ = 0.0;              ///< s, what was heard last of goals and their ends
+  /// move_base's newest. Without an id: its action makes one. Empty: the newest goal is not move_base's.
+  actionlib_msgs::GoalID action_goal_;
+  double last_word_ = 0.0;  ///< s, what was heard last of goals and their ends
   DriveRecorder recorder_;
 };
 
