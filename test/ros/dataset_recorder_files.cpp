@@ -3,6 +3,7 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include "lstm_planner/dataset/dataset_check.hpp"
+#include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
 #include "ros/fixtures/recorder_fixture.hpp"
 #include "ros/fixtures/ros_program.hpp"
 
@@ -141,6 +142,31 @@ TEST_F(RecorderTest, ASecondRecorderOfTheSameFileIsRefused) {
   const Dataset dataset = finish();
   EXPECT_EQ(dataset.recordings.size(), 1U);
   EXPECT_GE(stepCount(dataset), 3);
+}
+
+/// As a launch file starts two robots in the same second.
+TEST_F(RecorderTest, RecordersOfTwoRobotsHaveFilesOfTheirOwn) {
+  const std::string by_default = RecorderNodeParameters().output;
+  const std::string output = folder_ / by_default.substr(2, by_default.find("%Y") - 2) + "x.sqlite";
+  const auto launchIn = [&](const std::string& robot) {
+    return std::make_unique<RecorderProcess>(
+        "dataset_recorder", folder_ / (robot + ".log"),
+        std::vector<std::string>{"__ns:=/" + robot, "_output:=" + output, "_odom_topic:=/odom", "_scan_topic:=/scan"});
+  };
+  const auto first = launchIn("robot1");
+  const auto second = launchIn("robot2");
+  const auto record = [&] {
+    robot_.again();
+    return std::filesystem::exists(folder_ / "lstm_planner_robot1_x.sqlite") &&
+           std::filesystem::exists(folder_ / "lstm_planner_robot2_x.sqlite");
+  };
+  EXPECT_TRUE(eventually(record) || eventually(record));
+  for (const auto& recorder : {first.get(), second.get()}) {
+    recorder->signal(SIGINT);
+    EXPECT_EQ(recorder->wait(), 0);
+  }
+  ros::param::del("/robot1");
+  ros::param::del("/robot2");
 }
 
 TEST_F(RecorderTest, AFullDiskIsSaidAndNothingIsLostOnceThereIsRoomAgain) {

@@ -1,6 +1,10 @@
 #include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
 
+#include <ros/this_node.h>
+
+#include <algorithm>
 #include <array>
+#include <regex>
 #include <stdexcept>
 
 #include "lstm_planner/common/parameter_visitors.hpp"
@@ -19,6 +23,14 @@ void readRobotFile(const ros::NodeHandle& node_handle, RecorderNodeParameters* p
                               "shield/footprint_radius", "shield/footprint", "goal_drift", "memory/enabled",
                               "memory/width", "memory/resolution", "memory/reach"},
                              read));
+}
+
+/// Robots that one launch file starts in the same second have namespaces: for /robot1 "_robot1".
+std::string withNamespace(const std::string& output) {
+  std::string name = ros::this_node::getNamespace();
+  if (name == "/") name.clear();
+  std::replace(name.begin(), name.end(), '/', '_');
+  return std::regex_replace(output, std::regex("\\{namespace\\}"), name);
 }
 
 }  // namespace
@@ -45,7 +57,7 @@ std::string outputPath(const std::string& output, std::time_t now) {
   std::array<char, 4096> text{};
   std::tm utc{};
   gmtime_r(&now, &utc);
-  if (output.empty() || std::strftime(text.data(), text.size(), output.c_str(), &utc) == 0) {
+  if (output.empty() || std::strftime(text.data(), text.size(), withNamespace(output).c_str(), &utc) == 0) {
     throw std::invalid_argument("parameter output is '" + output + "', expected the path of a file");
   }
   const std::string path = resolvedPath(text.data());

@@ -13,7 +13,7 @@ namespace lstm_planner {
 
 /// Parameters of the node dataset_recorder; config/dataset_recorder.yaml explains each.
 struct RecorderNodeParameters {
-  std::string output = "~/lstm_planner_%Y-%m-%dT%H-%M-%SZ.sqlite";
+  std::string output = "~/lstm_planner{namespace}_%Y-%m-%dT%H-%M-%SZ.sqlite";
   std::string scan_topic = "scan";
   std::string odom_topic = "odom";
   std::string base_frame = "base_footprint";
@@ -28,7 +28,9 @@ struct RecorderNodeParameters {
 template <typename Parameters, typename Visitor>
 void visitRecorderNodeParameters(Parameters& node, const Visitor& visit) {
   visit("output", node.output, {}, "",
-        "path of the file; may start with ~/ or package://NAME/; %Y and the like are replaced by the time");
+        "path of the file; may start with ~/ or package://NAME/; %Y and the like are replaced by the time, {namespace} "
+        "by "
+        "_ and the node's namespace, if it has one");
   visit("scan_topic", node.scan_topic, {}, "", "sensor_msgs/LaserScan");
   visit("odom_topic", node.odom_topic, {}, "", "nav_msgs/Odometry");
   visit("base_frame", node.base_frame, {}, "", "the robot's frame, if the odometry does not name it");
@@ -44,8 +46,9 @@ void visitRecorderNodeParameters(Parameters& node, const Visitor& visit) {
 /// std::invalid_argument naming the parameter, its value and what was expected.
 RecorderNodeParameters loadRecorderNodeParameters(const ros::NodeHandle& node_handle);
 
-/// The file that `output` means at a time: ~/ is the user's home, package://NAME/ a package's folder, and %Y and the
-/// like are replaced as by strftime, in UTC. Throws std::invalid_argument when that is none.
+/// The file that `output` means at a time: ~/ is the user's home, package://NAME/ a package's folder, %Y and the like
+/// are replaced as by strftime, in UTC, and {namespace} by that of the node (for /robot1 "_robot1"). Throws
+/// std::invalid_argument when that is none.
 std::string outputPath(const std::string& output, std::time_t now);
 
 }  // namespace lstm_planner
