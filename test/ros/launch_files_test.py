@@ -168,6 +168,13 @@ class LaunchFiles(unittest.TestCase):
                 layer = yaml.safe_load(file)["local_costmap"]["obstacle_layer"]
             self.assertEqual(layer["scan"]["expected_update_rate"], 0.5)
 
+    def test_rviz_draws_in_the_frame_of_the_plans(self):
+        def arguments_of_rviz(*arguments):
+            return [node.args for node in load("navigation.launch", "rviz:=true", *arguments).nodes
+                    if node.type == "rviz"][0]
+        self.assertRegex(arguments_of_rviz("odom_frame:=robot1/odom"), r"lstm_planner\.rviz -f robot1/odom$")
+        self.assertRegex(arguments_of_rviz(), r"lstm_planner\.rviz *$")
+
     def test_several_robots_have_namespaces_and_frames_of_their_own(self):
         config = load("two_robots.launch", "rviz:=true", "start2:=[3.0, 3.0, 0.0]")
         self.check(config)
