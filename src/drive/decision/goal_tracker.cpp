@@ -23,6 +23,7 @@ GoalTracker::GoalTracker(double patience, bool announces_each_plan)
 }
 
 void GoalTracker::announce(const GoalInFrame& goal) {
+  hears_announcements_ = true;
   if (announces_each_plan_) {
     announced_ = goal;
     return;
@@ -42,7 +43,7 @@ GoalTracker::Verdict GoalTracker::ask(const GoalInFrame& goal, double time) {
   if (isDriven(goal)) {
     asked_ = time;
     candidate_.reset();
-    const bool starts_anew = starts_anew_ || (is_given_up_ && !goes_on);
+    const bool starts_anew = starts_anew_ || (is_given_up_ && !goes_on && !hears_announcements_);
     starts_anew_ = false;
     return starts_anew ? Verdict::kNewGoal : Verdict::kDriven;
   }
@@ -57,6 +58,7 @@ GoalTracker::Verdict GoalTracker::ask(const GoalInFrame& goal, double time) {
 }
 
 bool GoalTracker::takesOver(const GoalInFrame& goal, double time) {
+  if (hears_announcements_) return false;
   // A clock that jumped back (simulation started anew) would make the wait endless.
   if (!candidate_ || !sameGoal(candidate_->goal, goal) || time < candidate_->first_asked) {
     candidate_ = Candidate{goal, time};

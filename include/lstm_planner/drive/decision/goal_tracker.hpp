@@ -24,8 +24,8 @@ bool sameGoal(const GoalInFrame& a, const GoalInFrame& b);
 ///  - an announcement: move_base publishes each goal that it accepts. An announced goal is always a new one, also at
 ///    the same pose. move_base_flex announces the goal before each plan, and then where the plan ends: there only a
 ///    goal counts that is asked for next, and it is new if nobody asked for it within `patience` s;
-///  - where none was heard: a goal that is asked for again after `patience` s, while nobody asked for the driven one,
-///    has taken its place. As long as there is no driven goal at all, the second question is enough.
+///  - where none was ever heard: a goal that is asked for again after `patience` s, while nobody asked for the driven
+///    one, has taken its place. As long as there is no driven goal at all, the second question is enough.
 /// Everything else is a question. Not thread safe.
 class GoalTracker {
  public:
@@ -46,8 +46,9 @@ class GoalTracker {
   /// A plan for `goal` is asked for at `time` (s).
   Verdict ask(const GoalInFrame& goal, double time);
 
-  /// Whether the drive to the driven goal has been given up. Who asks for it again after `patience` s hopes that the
-  /// way has become free: it is new then.
+  /// Whether the drive to the driven goal has been given up. Where no goal is announced, who asks for it again after
+  /// `patience` s hopes that the way has become free: it is new then. Who announces goals may only have paused, as
+  /// move_base while the robot turns to recover.
   void setGivenUp(bool is_given_up) { is_given_up_ = is_given_up; }
 
  private:
@@ -61,6 +62,7 @@ class GoalTracker {
 
   double patience_;
   bool announces_each_plan_;
+  bool hears_announcements_ = false;
   std::optional<GoalInFrame> announced_;  ///< before the next plan, where each is announced
   double asked_ = 0.0;                    ///< s, when the driven goal was asked for last
   std::optional<GoalInFrame> driven_;

@@ -22,12 +22,23 @@ TEST(GoalTrackerTest, AnnouncedGoalIsNewOnceAndDrivenAfterwards) {
   EXPECT_EQ(tracker.ask(kGoal, 100.0), Verdict::kDriven);
 }
 
-TEST(GoalTrackerTest, AGoalThatWasGivenUpIsNewAfterAPause) {
+TEST(GoalTrackerTest, AnAnnouncedGoalThatWasGivenUpIsNewWhenItIsAnnouncedAgain) {
   GoalTracker tracker(kPatience);
   tracker.announce(kGoal);
   tracker.ask(kGoal, 0.0);
   tracker.setGivenUp(true);
   EXPECT_EQ(tracker.ask(kGoal, 0.2), Verdict::kDriven) << "move_base goes on asking until its own patience ends";
+  EXPECT_EQ(tracker.ask(kGoal, 6.5), Verdict::kDriven) << "it asks for no plan while the robot turns to recover";
+  tracker.announce(kGoal);
+  EXPECT_EQ(tracker.ask(kGoal, 100.0), Verdict::kNewGoal);
+}
+
+TEST(GoalTrackerTest, WhereNothingIsAnnouncedAGoalThatWasGivenUpIsNewAfterAPause) {
+  GoalTracker tracker(kPatience);
+  tracker.ask(kGoal, 0.0);
+  tracker.ask(kGoal, 0.2);
+  tracker.setGivenUp(true);
+  EXPECT_EQ(tracker.ask(kGoal, 0.4), Verdict::kDriven);
   EXPECT_EQ(tracker.ask(kGoal, 100.0), Verdict::kNewGoal);
   tracker.setGivenUp(false);
   EXPECT_EQ(tracker.ask(kGoal, 200.0), Verdict::kDriven);
@@ -72,9 +83,16 @@ TEST(GoalTrackerTest, WithoutAnyGoalTheSecondQuestionAdopts) {
   EXPECT_EQ(tracker.ask(kGoal, 0.2), Verdict::kDriven);
 }
 
-TEST(GoalTrackerTest, UnannouncedGoalTakesOverWhenTheOldOneIsNoLongerAskedFor) {
+TEST(GoalTrackerTest, WhereGoalsAreAnnouncedAQuestionStaysOneHoweverOftenItIsAsked) {
   GoalTracker tracker(kPatience);
   tracker.announce(kGoal);
+  tracker.ask(kGoal, 0.0);
+  for (const double time : {10.0, 11.1, 12.2}) EXPECT_EQ(tracker.ask(kOtherGoal, time), Verdict::kQuestion) << time;
+}
+
+TEST(GoalTrackerTest, UnannouncedGoalTakesOverWhenTheOldOneIsNoLongerAskedFor) {
+  GoalTracker tracker(kPatience);
+  tracker.ask(kGoal, -0.2);
   tracker.ask(kGoal, 0.0);
   EXPECT_EQ(tracker.ask(kOtherGoal, 0.2), Verdict::kQuestion);
   EXPECT_EQ(tracker.ask(kOtherGoal, 0.7), Verdict::kQuestion);
@@ -102,7 +120,7 @@ TEST(GoalTrackerTest, LastCallForTheReplacedGoalIsAQuestion) {
 
 TEST(GoalTrackerTest, ClockThatJumpsBackDoesNotBlockATakeover) {
   GoalTracker tracker(kPatience);
-  tracker.announce(kGoal);
+  tracker.ask(kGoal, 999.8);
   tracker.ask(kGoal, 1000.0);
   tracker.ask(kOtherGoal, 1000.2);
   EXPECT_EQ(tracker.ask(kOtherGoal, 0.0), Verdict::kQuestion);
