@@ -1,6 +1,8 @@
 // When the hidden state advances, when it is forgotten, and when neither. The clock stands still unless a test moves
 // it.
 
+#include <actionlib/TestActionGoal.h>
+#include <actionlib/TestActionResult.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -126,6 +128,46 @@ TEST_F(PlannerTest, InMoveBaseFlexAGoalIsNewOnce) {
     moveTo(planner.get(), {0.6, 0.0, 0.0}, 1.1);
     EXPECT_EQ(step(), "1") << "sent again";
   }
+}
+
+/// Exploration gives its goal anew, and moved by centimetres, every few seconds.
+TEST_F(PlannerTest, AGoalThatIsGivenAnewNearByIsTheSameUntilItsDriveHasEnded) {
+  using Status = actionlib_msgs::GoalStatus;
+  DecisionListener decisions("LstmGlobalPlanner");
+  auto planner = makePlanner();
+  ros::NodeHandle node;
+  const auto starts = node.advertise<actionlib::TestActionGoal>("move_base/goal", 1);
+  const auto ends = node.advertise<actionlib::TestActionResult>("move_base/result", 1);
+  std::atomic<int> heard{0};  // by the planner, too, which has subscribed before
+  const auto hear_start = [&](const actionlib::TestActionGoal::ConstPtr&) { ++heard; };
+  const auto hear_end = [&](const actionlib::TestActionResult::ConstPtr&) { ++heard; };
+  const auto start_hearer = node.subscribe<actionlib::TestActionGoal>("move_base/goal", 1, hear_start);
+  const auto end_hearer = node.subscribe<actionlib::TestActionResult>("move_base/result", 1, hear_end);
+  ASSERT_TRUE(eventually([&] { return starts.getNumSubscribers() > 0 && ends.getNumSubscribers() > 0; }));
+  const auto publish = [&](const ros::Publisher& publisher, const auto& message) {
+    const int before = heard;
+    publisher.publish(message);
+    EXPECT_TRUE(eventually([&] { return heard > before; }));
+  };
+  const auto end = [&](Status::_status_type status, const char* text) {
+    actionlib::TestActionResult result;
+    result.status.status = status;
+    result.status.text = text;
+    publish(ends, result);
+  };
+  const auto give = [&](double x) {
+    publish(starts, actionlib::TestActionGoal());
+    const auto goal = stampedPose("odom", {x, 1.0, 0.7});
+    announce(goal, planner.get(), &decisions);
+    EXPECT_EQ(plan_.back().pose.position.x, x);
+    return decide(planner.get(), goal, &decisions).at("step");
+  };
+  EXPECT_EQ(give(6.0), "1");
+  moveTo(planner.get(), {0.5, 0.0, 0.0}, 1.0);
+  end(Status::PREEMPTED, "This goal was canceled because another goal was recieved by the simple action server");
+  EXPECT_EQ(give(6.02), "2");
+  end(Status::ABORTED, "");
+  EXPECT_EQ(give(6.02), "1");
 }
 
 TEST_F(PlannerTest, OdometryJumpForgetsThePathAndKeepsTheGoal) {

@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "lstm_planner/common/text_table.hpp"
+#include "lstm_planner/drive/perception/reach.hpp"
 
 namespace lstm_planner {
 
@@ -26,39 +28,41 @@ void GoalTracker::announce(const GoalInFrame& goal) {
   hears_announcements_ = true;
   if (announces_each_plan_) {
     announced_ = goal;
+  } else {
+    accept(goal);
+  }
+}
+
+void GoalTracker::accept(const GoalInFrame& goal) {
+  if (!goesOn() || goal.frame != began_.frame || distanceBetween(goal.pose, began_.pose) > kGoalShift) {
+    start(goal);
     return;
   }
+  if (change_ == Verdict::kDriven && !isDriven(goal)) change_ = Verdict::kMoved;
   driven_ = goal;
-  starts_anew_ = true;
-  candidate_.reset();
+}
+
+void GoalTracker::start(const GoalInFrame& goal) {
+  driven_ = goal;
+  began_ = goal;
+  drive_of_driven_ = drive_;
+  change_ = Verdict::kNewGoal;
 }
 
 GoalTracker::Verdict GoalTracker::ask(const GoalInFrame& goal, double time) {
-  const bool goes_on = isDriven(goal) && std::abs(time - asked_) <= patience_;
-  if (announced_ && sameGoal(*announced_, goal) && !goes_on) {
-    driven_ = goal;
-    starts_anew_ = true;
-  }
+  const bool is_asked_on = isDriven(goal) && std::abs(time - asked_) <= patience_;
+  if (announced_ && sameGoal(*announced_, goal) && !is_asked_on) accept(goal);
   announced_.reset();
-  if (isDriven(goal)) {
-    asked_ = time;
-    candidate_.reset();
-    const bool starts_anew = starts_anew_ || (is_given_up_ && !goes_on && !hears_announcements_);
-    starts_anew_ = false;
-    return starts_anew ? Verdict::kNewGoal : Verdict::kDriven;
-  }
-  if (!takesOver(goal, time)) {
-    return Verdict::kQuestion;
-  }
-  driven_ = goal;
+  const bool is_tried_again = isDriven(goal) && is_given_up_ && !is_asked_on && !goesOn();
+  if (!hears_announcements_ && (is_tried_again || takesOver(goal, time))) start(goal);
+  if (!isDriven(goal)) return Verdict::kQuestion;
   asked_ = time;
-  starts_anew_ = false;
   candidate_.reset();
-  return Verdict::kNewGoal;
+  return std::exchange(change_, Verdict::kDriven);
 }
 
 bool GoalTracker::takesOver(const GoalInFrame& goal, double time) {
-  if (hears_announcements_) return false;
+  if (isDriven(goal)) return false;
   // A clock that jumped back (simulation started anew) would make the wait endless.
   if (!candidate_ || !sameGoal(candidate_->goal, goal) || time < candidate_->first_asked) {
     candidate_ = Candidate{goal, time};

@@ -10,11 +10,21 @@
 
 namespace lstm_planner {
 
+namespace {
+
+constexpr unsigned kQueue = 10;  // starts and ends in quick succession must not lose their order
+
+}  // namespace
+
 GoalListener::GoalListener(ros::NodeHandle node_handle, ros::NodeHandle private_node_handle)
-    : goal_subscriber_(private_node_handle.subscribe("current_goal", 1, &GoalListener::onGoal, this)),
-      planner_goal_subscriber_(private_node_handle.subscribe("planner_goal", 1, &GoalListener::onGoal, this)),
-      end_subscriber_(node_handle.subscribe("move_base/result", 1, &GoalListener::onEnd, this)),
-      path_end_subscriber_(private_node_handle.subscribe("exe_path/result", 1, &GoalListener::onEnd, this)) {}
+    : subscribers_{private_node_handle.subscribe("current_goal", 1, &GoalListener::onGoal, this),
+                   private_node_handle.subscribe("planner_goal", 1, &GoalListener::onGoal, this),
+                   private_node_handle.subscribe("exe_path/result", 1, &GoalListener::onPathEnd, this)} {
+  for (ros::NodeHandle* node : {&node_handle, &private_node_handle}) {
+    subscribers_.push_back(node->subscribe("move_base/goal", kQueue, &GoalListener::onStart, this));
+    subscribers_.push_back(node->subscribe("move_base/result", kQueue, &GoalListener::onEnd, this));
+  }
+}
 
 void GoalListener::onGoal(const geometry_msgs::PoseStamped::ConstPtr& goal) {
   try {
@@ -26,9 +36,27 @@ void GoalListener::onGoal(const geometry_msgs::PoseStamped::ConstPtr& goal) {
   }
 }
 
-void GoalListener::onEnd(const boost::shared_ptr<ActionEnd const>& end) {
+void GoalListener::onStart(const boost::shared_ptr<ActionStart const>& /*start*/) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  has_succeeded_ = has_succeeded_ || end->status.status == actionlib_msgs::GoalStatus::SUCCEEDED;
+  is_driving_ = true;
+}
+
+void GoalListener::onEnd(const boost::shared_ptr<ActionEnd const>& end) {
+  onPathEnd(end);
+  if (isReplaced(end->subject)) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  is_driving_ = false;
+  ++drives_;
+}
+
+void GoalListener::onPathEnd(const boost::shared_ptr<ActionEnd const>& end) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  has_succeeded_ = has_succeeded_ || end->subject.status == actionlib_msgs::GoalStatus::SUCCEEDED;
+}
+
+std::optional<long> GoalListener::drive() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return is_driving_ ? std::optional<long>(drives_) : std::nullopt;
 }
 
 bool GoalListener::takeSuccess() {

@@ -7,9 +7,10 @@
 
 #include <mutex>
 #include <optional>
+#include <vector>
 
 #include "lstm_planner/drive/decision/goal_tracker.hpp"
-#include "ros/common/action_end.hpp"
+#include "ros/common/action_message.hpp"
 
 namespace lstm_planner {
 
@@ -19,9 +20,10 @@ struct AnnouncedGoal {
   ros::Time stamp;
 };
 
-/// Hears the goals that the executor accepts, and that it reports as reached: move_base publishes each on
-/// ~current_goal, and how it ended on move_base/result. move_base_flex publishes it before each plan, on ~current_goal
-/// or, since 2024, on ~planner_goal, and how it ended on ~exe_path/result. Thread safe.
+/// Hears the goals that the executor accepts, and how its drives begin and end: move_base publishes each goal on
+/// ~current_goal; move_base/goal and move_base/result are those of its action. move_base_flex publishes the goal before
+/// each plan, on ~current_goal or, since 2024, on ~planner_goal; its action is ~move_base, in which each path is one of
+/// ~exe_path. Thread safe.
 class GoalListener {
  public:
   /// `node_handle`, `private_node_handle`: of the executor, in the thread that the messages come in.
@@ -31,18 +33,21 @@ class GoalListener {
   std::optional<AnnouncedGoal> takeAnnouncement();
   /// Whether a goal was reported as reached since the last call.
   bool takeSuccess();
+  /// GoalTracker::setDrive()
+  std::optional<long> drive();
 
  private:
   void onGoal(const geometry_msgs::PoseStamped::ConstPtr& goal);
+  void onStart(const boost::shared_ptr<ActionStart const>& start);
   void onEnd(const boost::shared_ptr<ActionEnd const>& end);
+  void onPathEnd(const boost::shared_ptr<ActionEnd const>& end);
 
   std::mutex mutex_;
   std::optional<AnnouncedGoal> announcement_;
   bool has_succeeded_ = false;
-  ros::Subscriber goal_subscriber_;
-  ros::Subscriber planner_goal_subscriber_;
-  ros::Subscriber end_subscriber_;
-  ros::Subscriber path_end_subscriber_;
+  bool is_driving_ = false;
+  long drives_ = 0;  ///< that have ended
+  std::vector<ros::Subscriber> subscribers_;
 };
 
 /// Checks a goal and reads it. A zero quaternion is taken as heading 0, with a warning. Throws std::invalid_argument

@@ -30,8 +30,8 @@ class PluginDiagnostics;
 /// move_base's planner_frequency must be above 0. Obstacles of the costmap that the scan does not show count, too
 /// (CostmapReader).
 ///
-/// Subscribes scan, odom (topics are parameters), ~current_goal, ~planner_goal and move_base/result. Publishes, in
-/// "~/" + name: plan (nav_msgs/Path), markers (visualization_msgs/MarkerArray), decision
+/// Subscribes scan, odom (topics are parameters), and what GoalListener does. Publishes, in "~/" +
+/// name: plan (nav_msgs/Path), markers (visualization_msgs/MarkerArray), decision
 /// (diagnostic_msgs/DiagnosticArray), status (latched: who leads, or why there is no plan;
 /// diagnostic_msgs/DiagnosticStatus), arrival (latched: how the last drive ended; the same type); and /diagnostics.
 /// Parameters: GlobalPlannerParameters; some may change while it drives (dynamic_reconfigure). Thread safe; nothing is

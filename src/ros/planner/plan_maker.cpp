@@ -216,11 +216,12 @@ bool PlanMaker::isDriftCorrected(const SensorReading& reading) const {
 }
 
 void PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {
-  if (const auto announced = goals_.takeAnnouncement()) {
-    tracker_.announce(announcedIn(goal.frame, *announced));
-  }
+  // In this order, so that the drive is not an older one than that of the goal.
+  const auto announced = goals_.takeAnnouncement();
+  tracker_.setDrive(goals_.drive());
+  if (announced) tracker_.announce(announcedIn(goal.frame, *announced));
   verdict_ = tracker_.ask(goal, now_.toSec());
-  if (verdict_ == GoalTracker::Verdict::kNewGoal) {
+  if (verdict_ == GoalTracker::Verdict::kNewGoal || verdict_ == GoalTracker::Verdict::kMoved) {
     driven_goal_ = *goal_in_global_frame;
   } else if (verdict_ == GoalTracker::Verdict::kDriven) {
     // A goal given in a frame that moves (the robot's own) stays where it was when it was given.
@@ -243,6 +244,7 @@ GoalInFrame PlanMaker::announcedIn(const std::string& frame, const AnnouncedGoal
 const Decision& PlanMaker::drive(const Pose2& goal, bool is_new) {
   switch (goal_changes_.tell(&agent_, goal, drift_.correction(), is_new, jumps_)) {
     case GoalChanges::Fresh::kNewGoal:
+    case GoalChanges::Fresh::kGoalMoved:
       ROS_INFO("new goal (%.2f, %.2f) in %s", driven_goal_.x, driven_goal_.y, global_frame_.c_str());
       markers_.clearTrace();
       said_of_goal_.clear();
@@ -255,7 +257,6 @@ const Decision& PlanMaker::drive(const Pose2& goal, bool is_new) {
           "deleted; the goal stays");
       markers_.clearTrace();
       break;
-    case GoalChanges::Fresh::kGoalMoved:  // not here: the goal stays where it was when it was given (ask())
     case GoalChanges::Fresh::kNo:
       break;
   }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "lstm_planner/common/geometry.hpp"
+#include "lstm_planner/drive/perception/reach.hpp"
 
 namespace lstm_planner {
 
@@ -17,7 +18,7 @@ class StandWatch {
   /// The robot is here at that time (s), on its way to `goal` (same frame); it was commanded to move, or not. With a
   /// new goal the time starts again.
   void note(const Pose2& pose, double time, const Point2& goal, bool is_commanded) {
-    if (distanceBetween(goal_, goal) > kSameGoal || time < now_) clear();
+    if (distanceBetween(goal_, goal) > kGoalShift || time < now_) clear();
     goal_ = goal;
     now_ = time;
     if (isNew(pose)) {
@@ -54,7 +55,6 @@ class StandWatch {
   static constexpr double kMoved = 0.1;  // m; more than odometry's noise, less than the slowest robot drives in seconds
   static constexpr double kTurned = 0.3;                  // rad
   static constexpr double kMostTurns = 10.0 * kFullTurn;  // rad at a place; who looks around often turns less
-  static constexpr double kSameGoal = 0.25;               // m
   static constexpr std::size_t kMostPlaces = 8;           // less than 1 m
 
   /// Where it was, and how far it had turned there, rad; not wrapped.

@@ -12,6 +12,9 @@ constexpr double kFarthestPose = 1e7;
 /// farther away was most likely given in another frame.
 constexpr double kFarthestGoal = 1e4;
 
+/// m; a goal that is given or corrected again within this distance is the same goal, farther away it is another one.
+constexpr double kGoalShift = 0.25;
+
 /// False where something is not finite, too.
 bool isInReach(const Pose2& pose);
 bool isInReach(const Pose2& pose, const Point2& goal);

@@ -34,6 +34,11 @@ TEST_F(GoalChangesTest, AGoalThatIsCorrectedALittleIsFollowed) {
   EXPECT_EQ(agent_.decision().step, 1) << "the drive goes on";
 }
 
+TEST_F(GoalChangesTest, AnotherHeadingOfTheGoalIsFollowed) {
+  EXPECT_EQ(tell({4.0, 0.0, 1.0}), Fresh::kNo);
+  EXPECT_EQ(changes_.goal().yaw, 1.0);
+}
+
 TEST_F(GoalChangesTest, AGoalThatMovesFartherIsAnotherOne) {
   EXPECT_EQ(tell({4.3, 0.0}), Fresh::kGoalMoved);
   EXPECT_EQ(agent_.decision().step, 0);

@@ -3,7 +3,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "lstm_planner/drive/decision/goal_changes.hpp"
 #include "lstm_planner/drive/decision/goal_tracker.hpp"
+#include "lstm_planner/drive/decision/navigation_agent.hpp"
+#include "unit/drive/decision/agent_fixtures.hpp"
 
 namespace lstm_planner::test_goal_tracker {
 namespace {
@@ -13,6 +16,9 @@ using Verdict = GoalTracker::Verdict;
 constexpr double kPatience = 1.0;
 const GoalInFrame kGoal{"odom", {3.0, 1.0, 0.5}};
 const GoalInFrame kOtherGoal{"odom", {-2.0, 4.0, 0.0}};
+
+/// kGoal, but at this x.
+GoalInFrame at(double x) { return {"odom", {x, 1.0, 0.5}}; }
 
 TEST(GoalTrackerTest, AnnouncedGoalIsNewOnceAndDrivenAfterwards) {
   GoalTracker tracker(kPatience);
@@ -140,6 +146,71 @@ TEST(GoalTrackerTest, GoalThatIsAnnouncedBeforeEachPlanIsNewOnce) {
   EXPECT_EQ(tracker.ask(kOtherGoal, 4.0), Verdict::kNewGoal);
   tracker.announce(kOtherGoal);
   EXPECT_EQ(tracker.ask(kOtherGoal, 10.0), Verdict::kNewGoal) << "sent again, after it had ended";
+}
+
+TEST(GoalTrackerTest, AGoalThatIsGivenAnewNearByIsTheSameUntilItsDriveHasEnded) {
+  GoalTracker tracker(kPatience);
+  tracker.setDrive(1);
+  tracker.announce(kGoal);
+  tracker.announce(at(3.02));
+  EXPECT_EQ(tracker.ask(at(3.02), 0.0), Verdict::kNewGoal);
+  tracker.announce(kGoal);
+  EXPECT_EQ(tracker.ask(at(3.02), 0.1), Verdict::kQuestion);
+  EXPECT_EQ(tracker.ask(kGoal, 0.2), Verdict::kMoved);
+  EXPECT_EQ(tracker.ask(kGoal, 0.4), Verdict::kDriven);
+  tracker.announce(kGoal);
+  EXPECT_EQ(tracker.ask(kGoal, 10.0), Verdict::kDriven);
+  tracker.setDrive({});
+  tracker.setDrive(2);
+  tracker.announce(kGoal);
+  EXPECT_EQ(tracker.ask(kGoal, 11.0), Verdict::kNewGoal);
+}
+
+TEST(GoalTrackerTest, AGoalThatGoesAwayByCentimetresIsNewAgainAndAgain) {
+  GoalTracker tracker(kPatience);
+  tracker.setDrive(1);
+  int new_goals = 0;
+  for (int i = 0; i < 100; ++i) {
+    tracker.announce(at(3.0 + 0.02 * i));
+    new_goals += tracker.ask(at(3.0 + 0.02 * i), 0.2 * i) == Verdict::kNewGoal ? 1 : 0;
+  }
+  EXPECT_EQ(new_goals, 8) << "2 m; the 13th goal is 0.26 m from the first";
+}
+
+TEST(GoalTrackerTest, WhereEachPlanIsAnnouncedAPauseOfADriveThatGoesOnMakesNoNewGoal) {
+  GoalTracker tracker(kPatience, true);
+  const auto ask = [&](const GoalInFrame& goal, double time) {
+    tracker.announce(goal);
+    return tracker.ask(goal, time);
+  };
+  tracker.setDrive(1);
+  EXPECT_EQ(ask(kGoal, 0.0), Verdict::kNewGoal);
+  tracker.setGivenUp(true);
+  EXPECT_EQ(ask(kGoal, 6.5), Verdict::kDriven) << "a recovery behaviour took that long";
+  EXPECT_EQ(ask(at(3.02), 6.7), Verdict::kMoved);
+  tracker.setDrive(2);
+  EXPECT_EQ(ask(at(3.02), 20.0), Verdict::kNewGoal);
+}
+
+/// As exploration gives it, which never leaves a planner the time to look around three times.
+TEST(GoalTrackerTest, AGoalInAClosedRoomThatIsGivenAnewEveryThreeSecondsIsGivenUp) {
+  constexpr double kPeriod = 0.2;    // s
+  constexpr double kTurnRate = 1.5;  // rad/s
+  GoalTracker tracker(kPatience);
+  tracker.setDrive(1);
+  NavigationAgent agent(test::straightAheadPolicy(), test::routeLed());
+  GoalChanges changes;
+  GoalInFrame goal = kGoal;
+  int i = 0;
+  for (; i * kPeriod < 60.0; ++i) {
+    const double time = i * kPeriod;
+    if (i % 15 == 0) tracker.announce(goal = at(i % 30 == 0 ? 3.0 : 3.02));
+    agent.perceive(test::situationAt({0.0, 0.0, normalizeAngle(kTurnRate * time)}, time, test::ring(0.8)));
+    changes.tell(&agent, goal.pose, {}, tracker.ask(goal, time) == Verdict::kNewGoal, 0);
+    tracker.setGivenUp(agent.decide().choice == Decision::Move::kNoPath);
+    if (agent.decision().choice == Decision::Move::kNoPath) break;
+  }
+  EXPECT_LT(i * kPeriod, 20.0) << "s; three turns take 13";
 }
 
 TEST(GoalTrackerTest, GoalsDifferByFramePositionAndHeading) {
