@@ -170,6 +170,31 @@ TEST_F(PlannerTest, AGoalThatIsGivenAnewNearByIsTheSameUntilItsDriveHasEnded) {
   EXPECT_EQ(give(6.02), "1");
 }
 
+/// move_base announces such a goal in each cycle, as tf refuses the slash.
+TEST_F(PlannerTest, AGoalThatMoveBaseCannotTransformIsRefused) {
+  DecisionListener decisions("LstmGlobalPlanner");
+  auto planner = makePlanner();
+  const auto goal = stampedPose("/map", compose(robot_.odometryInMap(), kGoal));
+  ASSERT_TRUE(eventually([&] { return goal_publisher_.getNumSubscribers() > 0 && decisions.connected(); }));
+  int attempts = 0;
+  const auto ask = [&] {
+    ++attempts;
+    bool is_planned = false;
+    for (int i = 0; i < 5; ++i) {
+      goal_publisher_.publish(boost::make_shared<geometry_msgs::PoseStamped>(goal));
+      robot_.wait(0.05);
+      is_planned = plan(planner.get(), goal);
+    }
+    return is_planned;
+  };
+  log_.expectRefusal(ask, "no plan: move_base could not transform the goal from frame '/map' to odom: its log says why",
+                     [&] { stand(kLogPeriod); });
+  EXPECT_LE(log_.count("new goal ("), attempts) << "at most one of five announcements each time";
+  const auto in_odom = stampedPose("odom", kGoal);
+  announce(in_odom, planner.get(), &decisions);
+  EXPECT_EQ(decide(planner.get(), in_odom, &decisions).at("step"), "1");
+}
+
 TEST_F(PlannerTest, OdometryJumpForgetsThePathAndKeepsTheGoal) {
   DecisionListener decisions("LstmGlobalPlanner");
   auto planner = makePlanner();

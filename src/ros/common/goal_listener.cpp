@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lstm_planner/ros/common/conversions.hpp"
+#include "ros/common/timing.hpp"
 
 namespace lstm_planner {
 
@@ -15,6 +16,12 @@ namespace {
 constexpr unsigned kQueue = 10;  // starts and ends in quick succession must not lose their order
 
 }  // namespace
+
+bool isRepeated(const AnnouncedGoal& before, const AnnouncedGoal& announced) {
+  constexpr double kSoon = 1.0;  // s
+  return sameGoal(before.goal, announced.goal) && before.frame_id == announced.frame_id &&
+         before.stamp == announced.stamp && std::abs(secondsBetween(before.heard, announced.heard)) <= kSoon;
+}
 
 GoalListener::GoalListener(ros::NodeHandle node_handle, ros::NodeHandle private_node_handle)
     : subscribers_{private_node_handle.subscribe("current_goal", 1, &GoalListener::onGoal, this),
@@ -28,7 +35,7 @@ GoalListener::GoalListener(ros::NodeHandle node_handle, ros::NodeHandle private_
 
 void GoalListener::onGoal(const geometry_msgs::PoseStamped::ConstPtr& goal) {
   try {
-    const AnnouncedGoal announced{goalFromMessage(*goal), goal->header.stamp};
+    const AnnouncedGoal announced{goalFromMessage(*goal), goal->header.frame_id, goal->header.stamp, ros::Time::now()};
     const std::lock_guard<std::mutex> lock(mutex_);
     announcement_ = announced;
   } catch (const std::invalid_argument& error) {

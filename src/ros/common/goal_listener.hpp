@@ -7,6 +7,7 @@
 
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "lstm_planner/drive/decision/goal_tracker.hpp"
@@ -17,8 +18,13 @@ namespace lstm_planner {
 /// A goal as it was given, and the time at which its frame is meant; ros::Time(0): now.
 struct AnnouncedGoal {
   GoalInFrame goal;
+  std::string frame_id;  ///< as in the message: tf knows none that begins with a slash
   ros::Time stamp;
+  ros::Time heard;
 };
+
+/// Whether it is `before`, said again within a second.
+bool isRepeated(const AnnouncedGoal& before, const AnnouncedGoal& announced);
 
 /// Hears the goals that the executor accepts, and how its drives begin and end: move_base publishes each goal on
 /// ~current_goal; move_base/goal and move_base/result are those of its action. move_base_flex publishes the goal before

@@ -58,7 +58,8 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
       tf_check_(frames_, frameName(base_frame), parameters.sensors.odom_topic),
       costmap_(parameters.use_costmap ? costmap : nullptr, parameters.agent.shield.reach),
       goals_(messages_.nodeHandle(), messages_.nodeHandle("~")),
-      tracker_(goalPatience(), announcesEachPlan()),
+      announces_each_plan_(announcesEachPlan()),
+      tracker_(goalPatience(), announces_each_plan_),
       markers_(ros::NodeHandle("~/" + name), agent_.policy().description(), parameters.trace_length),
       decisions_(ros::NodeHandle("~/" + name), agent_.policy().description().actions),
       arrival_(ros::NodeHandle("~/" + name)),
@@ -112,6 +113,7 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
   perceive(reading);
   sayThatTheScannerIsTooShort();
 
+  hearOfGoals(goal);
   Pose2 global_goal =
       compose(frames_.transformAt(global_frame_, goal.frame, goal_message.header.stamp, now_), goal.pose);
   ask(goal, &global_goal);
@@ -215,11 +217,24 @@ bool PlanMaker::isDriftCorrected(const SensorReading& reading) const {
   return parameters_.agent.correct_drift && frameName(reading.odometry_frame) == global_frame_;
 }
 
-void PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {
+void PlanMaker::hearOfGoals(const GoalInFrame& asked) {
   // In this order, so that the drive is not an older one than that of the goal.
   const auto announced = goals_.takeAnnouncement();
   tracker_.setDrive(goals_.drive());
-  if (announced) tracker_.announce(announcedIn(goal.frame, *announced));
+  if (announced) {
+    // move_base tries to transform it in each cycle, announces it again, and follows no plan.
+    is_untransformed_ = !announces_each_plan_ && announced->frame_id != global_frame_ && announced_ &&
+                        isRepeated(*announced_, *announced);
+    if (!is_untransformed_) tracker_.announce(announcedIn(asked.frame, *announced));
+    announced_ = announced;
+  }
+  if (is_untransformed_ && sameGoal(announced_->goal, asked)) {
+    throw PlanRefused("move_base could not transform the goal from frame '" + announced_->frame_id + "' to " +
+                      global_frame_ + ": its log says why");
+  }
+}
+
+void PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {
   verdict_ = tracker_.ask(goal, now_.toSec());
   if (verdict_ == GoalTracker::Verdict::kNewGoal || verdict_ == GoalTracker::Verdict::kMoved) {
     driven_goal_ = *goal_in_global_frame;

@@ -88,6 +88,7 @@ class PlanMaker {
   void checkStart(const geometry_msgs::PoseStamped& start, const Pose2& robot) const;
   void perceive(const SensorReading& reading);
   void warnOfReturnsInside() const;
+  void hearOfGoals(const GoalInFrame& asked);
   void ask(const GoalInFrame& goal, Pose2* goal_in_global_frame);
   GoalInFrame announcedIn(const std::string& frame, const AnnouncedGoal& announced) const;
   bool isDriftCorrected(const SensorReading& reading) const;
@@ -115,6 +116,9 @@ class PlanMaker {
   CostmapReader costmap_;
   std::vector<Point2> known_;  ///< returns of this scan and of earlier ones, base frame, m
   GoalListener goals_;
+  bool announces_each_plan_;                ///< the executor
+  std::optional<AnnouncedGoal> announced_;  ///< last
+  bool is_untransformed_ = false;           ///< that goal, by move_base
   GoalTracker tracker_;
   GoalChanges goal_changes_;
   MarkerPublisher markers_;
