@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lstm_planner/common/text_table.hpp"
+#include "lstm_planner/drive/perception/deskew.hpp"
 #include "lstm_planner/drive/perception/reach.hpp"
 
 namespace lstm_planner {
@@ -153,14 +154,14 @@ void DriveRecorder::work(const ScanHeard& scan) {
   }
 }
 
-void DriveRecorder::sample(const ScanHeard& scan) {
+void DriveRecorder::sample(ScanHeard scan) {
   // Counted from the clock's zero rather than from the first scan, so that a bag that starts earlier gives the same.
   const double number = std::floor(scan.stamp / parameters_.period);
   if (last_sample_ && number <= *last_sample_) {
     last_seen_ = scan.stamp;
     return;
   }
-  if (const std::string flaw = see(scan); !flaw.empty()) {
+  if (const std::string flaw = see(&scan); !flaw.empty()) {
     // The next scan may do; how many did not, within one sample, depends on the scanner's rate alone.
     if (last_unusable_ != number) reject(Rejection::kUnusableScan, flaw);
     last_unusable_ = number;
@@ -204,16 +205,18 @@ void DriveRecorder::sample(const ScanHeard& scan) {
   }
 }
 
-std::string DriveRecorder::see(const ScanHeard& scan) {
+std::string DriveRecorder::see(ScanHeard* scan) {
   if (!situation_) situation_.emplace();
   if (silence_.isCovered()) return "the scanner counts as covered: the returns of all beams went at once";
+  const auto poseAt = [this](double time) { return history_.poseAt(time); };
+  deskew(scan->mount, parameters_.scan_rules, poseAt, &scan->scan);
   try {
-    perceive(scan.scan, scan.mount, parameters_.scan_rules, parameters_.range_cap, &*situation_);
+    perceive(scan->scan, scan->mount, parameters_.scan_rules, parameters_.range_cap, &*situation_);
   } catch (const UnusableScan& error) {
     return error.what();
   }
-  situation_->time = scan.stamp;
-  situation_->pose = history_.poseAt(scan.stamp);
+  situation_->time = scan->stamp;
+  situation_->pose = history_.poseAt(scan->stamp);
   return "";
 }
 

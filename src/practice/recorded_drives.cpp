@@ -122,7 +122,7 @@ class DriveRecording {
     robot_.command(driver_.command(robot_.truePose(), robot_.time()));
     robot_.advance(kScanOffset);
     robot_.scan(&scan_);
-    recorder_.add(ScanHeard{robot_.time(), scan_, parameters_.robot.scanner.mount, "laser"});
+    recorder_.add(ScanHeard{scan_.stamp, scan_, parameters_.robot.scanner.mount, "laser"});
     robot_.advance(kPeriod - kScanOffset);
   }
 

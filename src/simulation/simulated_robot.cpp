@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/drive/perception/deskew.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -11,6 +12,7 @@ namespace {
 constexpr std::uint64_t kSecondSeed = 0x2545F4914F6CDD1D;  // any: the noise of two scanners differs
 
 constexpr double kSameTime = 1e-6;       // s
+constexpr double kNoSpeed = 1e6;         // m/s: the simulation's poses do not jump
 constexpr double kStandingSpeed = 0.02;  // m/s; who is slower towards somebody is not driving into him
 
 /// m/s towards `other`.
@@ -26,7 +28,9 @@ SimulatedRobot::SimulatedRobot(const World& world, const Parameters& parameters,
       parameters_(parameters),
       base_(parameters.base, start, seed),
       footprint_(footprintOf(parameters.base)),
-      scanner_(parameters.scanner, ~seed) {
+      scanner_(parameters.scanner, ~seed),
+      true_poses_(kNoSpeed),
+      odometries_(kNoSpeed) {
   visitSimulatedRobotParameters(parameters, RangeCheck());
   if (parameters.second_scanner) {
     second_ = SecondScanner{Hokuyo(*parameters.second_scanner, seed ^ kSecondSeed), {}, {}, 0.0};
@@ -98,24 +102,43 @@ void SimulatedRobot::advance(double seconds) {
     const Point2 velocity = move(period);
     if (traffic_ != nullptr) letWalk(period, velocity);
     time_ += period;
+    if (parameters_.isSwept()) {
+      true_poses_.add({time_, base_.truePose(), {}});
+      odometries_.add({time_, odometry(), {}});
+    }
     left -= period;
   }
 }
 
-void SimulatedRobot::scan(LaserScan* scan) { scanner_.scan(world_, base_.truePose(), time_, scan); }
+void SimulatedRobot::takeScan(Hokuyo* scanner, LaserScan* scan) const {
+  const auto poseAt = [this](double time) { return true_poses_.empty() ? base_.truePose() : true_poses_.poseAt(time); };
+  scanner->sweep(world_, poseAt, scanner->stampOf(time_), scan);
+}
+
+void SimulatedRobot::straighten(const Hokuyo& scanner, LaserScan* scan) const {
+  if (!parameters_.corrects_scans) return;
+  ScanRules rules = Hokuyo::rules();
+  rules.beam_times = scanner.parameters().beam_times;
+  deskew(
+      scanner.parameters().mount, rules, [this](double time) { return odometryAt(time); }, scan);
+}
+
+void SimulatedRobot::scan(LaserScan* scan) { takeScan(&scanner_, scan); }
 
 void SimulatedRobot::sense(double range_cap, Situation* situation) {
   scan(&scan_);
+  straighten(scanner_, &scan_);
   perceive(scan_, parameters_.scanner.mount, Hokuyo::rules(), range_cap, situation);
-  situation->time = time_;
-  situation->pose = odometry();
+  situation->time = scan_.stamp;
+  situation->pose = odometryAt(scan_.stamp);
   if (second_) senseWithSecond(situation);
 }
 
 void SimulatedRobot::senseWithSecond(Situation* situation) {
   if (time_ >= second_->next) {
-    second_->scanner.scan(world_, base_.truePose(), time_, &second_->scan);
-    second_->pose = situation->pose;
+    takeScan(&second_->scanner, &second_->scan);
+    straighten(second_->scanner, &second_->scan);
+    second_->pose = odometryAt(second_->scan.stamp);
     second_->next = time_ + 1.0 / second_->scanner.parameters().rate - kSameTime;
   }
   const LaserScan& scan = second_->scan;

@@ -121,6 +121,10 @@ void addRecorderOptions(RecorderParameters* parameters, CommandLine* line) {
       "no-return", noReturnText(p.scan_rules), [&](const std::string& text) { setNoReturn(text, &p.scan_rules); },
       "readings that mean no return besides +inf: \"nan\", \"zero\", \"below\" (range_min), \"beyond\" (range_max), a "
       "number (m); for urg_node: \"nan zero beyond 65.53\"");
+  line->addText(
+      "beam-times", beamTimesText(p.scan_rules), [&](const std::string& text) { setBeamTimes(text, &p.scan_rules); },
+      "when the first and the last beam of a scan are measured, s after its stamp, such as \"0.18 0\"; default: "
+      "all at the stamp");
   line->addFlag("no-scans", &p.keep_scans, false, "store only the sectors, not the whole scans");
 }
 

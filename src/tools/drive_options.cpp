@@ -65,6 +65,8 @@ void addRobotOptions(DriveOptions* options, CommandLine* line) {
                 "--drift, --slip and --wheel-error");
   line->addFlag("no-drift-correction", &agent.correct_drift, false,
                 "take the odometry as it is: do not match scans to take its drift away");
+  line->addFlag("no-scan-correction", &options->drive.robot.corrects_scans, false,
+                "take scans as they are: do not take the robot's motion out of those of a scanner that turns");
   line->addFlag("no-memory", &agent.memory.enabled, false,
                 "remember no obstacles: nothing limits the network's detours, and without progress the robot follows "
                 "boundaries");

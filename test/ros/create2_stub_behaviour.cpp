@@ -198,7 +198,7 @@ TEST_F(Create2Stub, PublishesTheScansOfAUtm30Lx) {
   EXPECT_FLOAT_EQ(scan.angle_min, -2.35619F);
   EXPECT_NEAR(scan.angle_max, 2.35619, 1e-4);
   EXPECT_FLOAT_EQ(scan.angle_increment, 0.00436332F);
-  EXPECT_FLOAT_EQ(scan.time_increment, 1.7361e-5F);
+  EXPECT_NEAR(scan.time_increment, 1.7361e-5, 1e-9);  // as urg_node rounds it
   EXPECT_FLOAT_EQ(scan.range_min, 0.023F);
   EXPECT_FLOAT_EQ(scan.range_max, 60.0F);
 }

@@ -60,9 +60,9 @@ class DriveRecorder {
   void work(const GoalGivenUp& given_up);
   void work(const ScanHeard& scan);
   void workOnWhatIsDue(bool all);
-  void sample(const ScanHeard& scan);
-  /// Why the scan cannot be used; empty if it can.
-  std::string see(const ScanHeard& scan);
+  void sample(ScanHeard scan);
+  /// Why the scan cannot be used; empty if it can. Corrects its distortion by the robot's motion.
+  std::string see(ScanHeard* scan);
   bool isAt(const Point2& goal, const Pose2& pose) const;
   void startEpisode();
   void startStep(const ScanHeard& scan);

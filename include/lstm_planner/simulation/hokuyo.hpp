@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "lstm_planner/common/random.hpp"
@@ -23,8 +25,18 @@ struct HokuyoParameters {
   double range_step = 0.0;
   double dropout = 0.001;
   double rate = 40.0;
-  SensorMount mount;  ///< in the base frame
+  BeamTimes beam_times;  ///< when the beams are measured: all at once
+  SensorMount mount;     ///< in the base frame
+
+  /// Whether the beams are measured one after the other.
+  bool isSwept() const { return beam_times.first != beam_times.last; }
 };
+
+/// As the real one measures, whose beams are 17.36 us apart.
+inline HokuyoParameters swept(HokuyoParameters scanner = {}) {
+  scanner.beam_times = {0.0, 0.01875};
+  return scanner;
+}
 
 /// The default scanner, turned to look back.
 inline HokuyoParameters lookingBack() {
@@ -46,6 +58,8 @@ void visitHokuyoParameters(Parameters& laser, const Visitor& visit) {
   visit("range_step", laser.range_step, {0.0, 1.0}, "m", "ranges are rounded to multiples of it; 0: not rounded");
   visit("dropout", laser.dropout, {0.0, 1.0}, "", "probability that a beam returns nothing");
   visit("rate", laser.rate, {0.1, 200.0}, "Hz", "of scans");
+  visit("first_beam", laser.beam_times.first, {-1.0, 1.0}, "s", "when the first beam is measured, after the stamp");
+  visit("last_beam", laser.beam_times.last, {-1.0, 1.0}, "s", "when the last beam is measured, after the stamp");
   visit("x", laser.mount.pose.x, {-100.0, 100.0}, "m", "position of the scanner in the base frame");
   visit("y", laser.mount.pose.y, {-100.0, 100.0}, "m", "position of the scanner in the base frame");
   visit("yaw", laser.mount.pose.yaw, {-10.0, 10.0}, "rad", "direction of the scanner in the base frame");
@@ -55,8 +69,9 @@ void visitHokuyoParameters(Parameters& laser, const Visitor& visit) {
 void validate(const HokuyoParameters& parameters);
 
 /// Takes scans of a world. As from the driver, a beam without a return is +inf, and a lost beam is NaN; a reading below
-/// range_min is given as it is. All beams of a scan are taken from one pose: a scan is not distorted by motion. The
-/// noise comes from a table of normal numbers, with one random draw for each beam. The same for the same seed.
+/// range_min is given as it is. The beams are measured one after the other, as `beam_times` says: motion distorts a
+/// scan. The noise comes from a table of normal numbers, with one random draw for each beam. The same for the same
+/// seed.
 class Hokuyo {
  public:
   /// Throws as validate().
@@ -64,6 +79,13 @@ class Hokuyo {
 
   /// The scan from `base_pose` (pose of the robot in the world); `scan` is overwritten and its memory reused.
   void scan(const World& world, const Pose2& base_pose, double stamp, LaserScan* scan);
+  /// The same of a robot that moves: `pose_at` says where it was at a time (s).
+  void sweep(const World& world, const std::function<Pose2(double)>& pose_at, double stamp, LaserScan* scan);
+
+  /// The stamp of a scan whose last measurement is at `time`, s.
+  double stampOf(double time) const {
+    return time - std::max({0.0, parameters_.beam_times.first, parameters_.beam_times.last});
+  }
 
   /// What its readings mean: the rules of the driver.
   static ScanRules rules() { return urgNodeRules(); }
@@ -71,12 +93,14 @@ class Hokuyo {
   const HokuyoParameters& parameters() const { return parameters_; }
 
  private:
+  void castRays(const World& world, const std::function<Pose2(double)>& pose_at, double stamp);
   double rounded(double range) const;
 
   HokuyoParameters parameters_;
   Random random_;
   std::vector<float> noise_;  ///< m
   std::vector<double> ranges_;
+  std::vector<double> piece_;  ///< of ranges_, measured from one pose
 };
 
 }  // namespace lstm_planner

@@ -4,6 +4,7 @@
 #include <deque>
 #include <optional>
 
+#include "lstm_planner/drive/perception/odometry_history.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
 #include "lstm_planner/simulation/contact_count.hpp"
 #include "lstm_planner/simulation/create2.hpp"
@@ -27,9 +28,12 @@ class SimulatedRobot {
     double physics_period = 0.02;
     double latency = 0.0;
     std::optional<HokuyoParameters> second_scanner = std::nullopt;  ///< none unless it is set
+    bool corrects_scans = true;                                     ///< takes its motion out of them: deskew()
 
     /// Time from one scan to the next of the slowest scanner, s.
     double longestScanPeriod() const;
+    /// Whether a scanner measures its beams one after the other.
+    bool isSwept() const { return scanner.isSwept() || (second_scanner && second_scanner->isSwept()); }
   };
 
   /// `world` must outlive the robot. Throws as Create2 and Hokuyo.
@@ -43,11 +47,11 @@ class SimulatedRobot {
   /// Lets so much time pass, s.
   void advance(double seconds);
 
-  /// Scans from where the robot stands; the pose of `situation` is odometry(). A second scanner scans at its own rate;
-  /// between its scans its last one counts.
+  /// The scan that ends now, corrected by the odometry (deskew()); the pose of `situation` is the odometry at its
+  /// stamp. A second scanner scans at its own rate; between its scans its last one counts.
   void sense(double range_cap, Situation* situation);
 
-  /// The scan from where the robot stands, as the driver would publish it; `scan` is overwritten and its memory reused.
+  /// The scan that ends now, as the driver would publish it; `scan` is overwritten and its memory reused.
   void scan(LaserScan* scan);
 
   double time() const { return time_; }  ///< s since the start
@@ -66,6 +70,9 @@ class SimulatedRobot {
     double time = 0.0;  ///< s, when it takes effect
     Twist2 twist;
   };
+  void takeScan(Hokuyo* scanner, LaserScan* scan) const;
+  void straighten(const Hokuyo& scanner, LaserScan* scan) const;
+  Pose2 odometryAt(double time) const { return odometries_.empty() ? odometry() : odometries_.poseAt(time); }
   void obeyCommands();
   Point2 move(double seconds);
   void senseWithSecond(Situation* situation);
@@ -88,6 +95,8 @@ class SimulatedRobot {
   std::optional<SecondScanner> second_;
   std::deque<Command> commands_;
   double time_ = 0.0;
+  OdometryHistory true_poses_;  ///< of the last second; empty unless a scanner measures its beams one after the other
+  OdometryHistory odometries_;  ///< likewise
   Traffic* traffic_ = nullptr;
   ContactCount contacts_;
   int bumped_ = 0;

@@ -66,7 +66,7 @@ bool RangeProfile::isInView(double towards) const {
 }
 
 void toProfile(const LaserScan& scan, const SensorMount& mount, const ScanRules& rules, RangeProfile* profile) {
-  const double mirror = mount.upside_down ? -1.0 : 1.0;
+  const double mirror = mount.mirror();
   profile->origin = {mount.pose.x, mount.pose.y};
   profile->first_direction = mount.pose.yaw + mirror * scan.angle_min;
   profile->increment = mirror * scan.angle_increment;

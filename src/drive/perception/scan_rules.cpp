@@ -1,6 +1,7 @@
 #include "lstm_planner/drive/perception/scan_rules.hpp"
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -11,11 +12,18 @@ namespace lstm_planner {
 namespace {
 
 constexpr double kGreatestCode = 1e4;  // m
+constexpr double kLongestTurn = 1.0;   // s; a slower scanner is of no use to a robot that drives
+
+/// NaN where the word is no number.
+double numberIn(const std::string& word) {
+  std::istringstream stream(word);
+  double number = 0.0;
+  return stream >> number && stream.eof() ? number : std::numeric_limits<double>::quiet_NaN();
+}
 
 double codeOf(const std::string& word) {
-  std::istringstream stream(word);
-  double code = 0.0;
-  if (!(stream >> code) || !stream.eof() || !(code > 0.0 && code <= kGreatestCode)) {
+  const double code = numberIn(word);
+  if (!(code > 0.0 && code <= kGreatestCode)) {
     throw std::invalid_argument("no_return has the word '" + word +
                                 "', expected nan, zero, below, beyond or a reading from above 0 to 10000 m; +inf needs "
                                 "no word");
@@ -62,8 +70,27 @@ void setNoReturn(const std::string& text, ScanRules* rules) {
       throw std::invalid_argument("no_return is '" + text + "', expected one number at most");
     }
   }
+  read.beam_times = rules->beam_times;
   read.least_measured = rules->least_measured;
   *rules = read;
+}
+
+std::string beamTimesText(const ScanRules& rules) {
+  if (!rules.beam_times) return "";
+  std::ostringstream text;
+  text << rules.beam_times->first << ' ' << rules.beam_times->last;
+  return text.str();
+}
+
+void setBeamTimes(const std::string& text, ScanRules* rules) {
+  rules->beam_times.reset();
+  const std::vector<std::string> words = wordsOf(text);
+  if (words.empty()) return;
+  const BeamTimes times{numberIn(words.front()), numberIn(words.back())};
+  if (words.size() != 2 || !(std::abs(times.first) <= kLongestTurn && std::abs(times.last) <= kLongestTurn)) {
+    throw std::invalid_argument("beam_times is '" + text + "', expected two numbers from -1 to 1 s, such as 0.18 0");
+  }
+  rules->beam_times = times;
 }
 
 void validate(const ScanRules& rules) {

@@ -192,4 +192,13 @@ void checkMeasured(const RangeProfile& profile, double least_measured) {
   }
 }
 
+bool isScan(const LaserScan& scan, const SensorMount& mount) {
+  try {
+    checkScan(scan, mount);
+    return true;
+  } catch (const UnusableScan&) {
+    return false;
+  }
+}
+
 }  // namespace lstm_planner

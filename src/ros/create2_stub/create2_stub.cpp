@@ -39,6 +39,7 @@ constexpr double kEncoderRate = 1.0 / 0.015;            // Hz, the base sends it
 constexpr double kClockRate = 100.0;                    // Hz
 constexpr std::uint64_t kClockStart = 100'000'000'000;  // ns; later than any buffer or time-out reaches back from
 constexpr std::uint64_t kLongestGap = 1'000'000'000;    // ns that are made up for when the node was held up
+constexpr double kNoSpeed = 1e6;                        // m/s: the robot's true pose does not jump
 constexpr double kStaleReport = 10.0;                   // s between two warnings
 
 /// The node `create2_stub`: a simulated Create 2 with a Hokuyo, or two, in a map, seen through the topics of
@@ -81,6 +82,7 @@ class Create2Stub {
   std::unique_ptr<World> building_;
   WorldWithRobots world_;
   RobotInWorld robot_;
+  OdometryHistory true_poses_{kNoSpeed};  ///< of the last second
   Create2StubScanner scanner_;
   std::optional<Create2StubScanner> second_scanner_;
   Create2StubDriver driver_;
@@ -211,6 +213,7 @@ void Create2Stub::runGivenClock() {
 
 void Create2Stub::restartAt(const ros::Time& time) {
   time_ = time.toNSec();
+  true_poses_.restart();
   for (Schedule* schedule : {&driver_loop_, &encoders_, &clock_}) schedule->restart(time_);
   scanner_.restart(time_);
   if (second_scanner_) second_scanner_->restart(time_);
@@ -227,6 +230,7 @@ ros::Time Create2Stub::driverTime() const {
 void Create2Stub::advance() {
   time_ += kStep;
   robot_.step(kStepSeconds);
+  true_poses_.add({1e-9 * static_cast<double>(time_), robot_.robot().truePose(), {}});
   if (parameters_.publish_clock && clock_.due(time_)) {
     rosgraph_msgs::Clock message;
     message.clock = simulatedTime();
@@ -242,9 +246,8 @@ void Create2Stub::advance() {
 }
 
 void Create2Stub::publishScans() {
-  const Pose2& pose = robot_.robot().truePose();
-  if (second_scanner_) second_scanner_->publishIfDue(world_, pose, time_);
-  if (scanner_.publishIfDue(world_, pose, time_)) publishGroundTruth();
+  if (second_scanner_) second_scanner_->publishIfDue(world_, true_poses_, time_);
+  if (scanner_.publishIfDue(world_, true_poses_, time_)) publishGroundTruth();
 }
 
 void Create2Stub::publishGroundTruth() {

@@ -50,6 +50,16 @@ TEST_P(EachRobot, ArrivesInRoomsWithoutTouchingAnything) {
 INSTANTIATE_TEST_SUITE_P(OfConfig, EachRobot, ::testing::ValuesIn(robots()),
                          [](const auto& info) { return info.param; });
 
+TEST_F(DriveRobots, AScannerThatTurnsDoesNotHoldARobotUp) {
+  const std::string mazes = "--worlds mazes --goals 4 --drift 0.02 --robot create2_rplidar --json " + in("out.json");
+  const auto timeWith = [&](const std::string& option) {
+    EXPECT_EQ(drive(mazes + option).status, 0);
+    return result()["mean_time_s"].get<double>();
+  };
+  // In 40 mazes 73 and 209 s: what seems to move in a turn is taken for people.
+  EXPECT_LT(1.5 * timeWith(""), timeWith(" --no-scan-correction"));
+}
+
 TEST_F(DriveRobots, ARobotWithTwoScannersArrivesInRoomsWithoutTouchingAnything) {
   const test::Outcome outcome = drive("--worlds rooms --goals 4 --drift 0.02 --json " + in("out.json") +
                                       " --robot " LSTM_PLANNER_SOURCE_DIR "/test/ros/two_scanners.yaml");

@@ -13,7 +13,7 @@
 namespace lstm_planner {
 
 /// One sweep of a planar laser scanner; the fields of sensor_msgs/LaserScan that matter, without ROS.
-/// Angles in rad in the sensor's frame, ranges in m, the stamp in s is that of the first beam.
+/// Angles in rad in the sensor's frame, ranges in m, the stamp in s. When each beam was measured: BeamTimes.
 struct LaserScan {
   double stamp = 0.0;
   double angle_min = 0.0;
@@ -23,11 +23,20 @@ struct LaserScan {
   std::vector<float> ranges;
 };
 
+/// Whether so many beams, `increment` rad apart, go all around: the last one is beside the first one, or one is missing
+/// between them, since some drivers divide the span of the readings that they got by their number.
+inline bool isFullTurn(std::size_t beams, double increment) {
+  return (static_cast<double>(beams) + 1.5) * std::abs(increment) > kFullTurn;
+}
+
 /// How the scanner sits on the robot: its position and yaw in the base frame, and whether it hangs upside down, which
 /// mirrors the order of the beams.
 struct SensorMount {
   Pose2 pose;
   bool upside_down = false;
+
+  /// Of angles: from the sensor's frame to the base frame.
+  double mirror() const { return upside_down ? -1.0 : 1.0; }
 };
 
 /// The ranges of a scan by direction, in the base frame: what lies between the scanner and a range was seen to be free.
@@ -55,9 +64,7 @@ struct RangeProfile {
   /// Index of the beam nearest to `direction` (rad, base frame); -1 when none is within an increment of it,
   /// unless the scan closes.
   long beamTowards(double direction) const;
-  /// Whether the last beam is beside the first one, or one is missing between them: some drivers divide the span of the
-  /// readings that they got by their number.
-  bool closes() const { return (static_cast<double>(ranges.size()) + 1.5) * std::abs(increment) > kFullTurn; }
+  bool closes() const { return isFullTurn(ranges.size(), increment); }
   /// Index of a beam that was counted from another one, maybe beyond the ends: where the scan closes it goes on there.
   /// -1 when there is none.
   long beamAt(long counted) const;

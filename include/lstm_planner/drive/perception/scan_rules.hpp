@@ -1,11 +1,20 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <type_traits>
 
 namespace lstm_planner {
 
-/// What the readings of a scanner mean, and how much of a scan must have been measured.
+/// When the beams of a scan are measured: the first and the last of its list, s after the stamp; those between at a
+/// constant rate. Negative: before the stamp. A scanner that turns clockwise, and whose driver lists its beams
+/// counterclockwise, measures the last one first.
+struct BeamTimes {
+  double first = 0.0;
+  double last = 0.0;
+};
+
+/// What the readings of a scanner mean, when they are measured, and how much of a scan must have been measured.
 ///
 /// REP-117 is the default: +inf means that nothing is within range, which is a measurement; NaN is no measurement; -inf
 /// means that something is too near to be measured. Readings outside [range_min, range_max] are no measurements. The
@@ -18,6 +27,7 @@ struct ScanRules {
   bool beyond_is_no_return = false;  ///< finite readings above range_max
   double no_return_code = 0.0;       ///< m; readings within 0.02 m of it, such as 65.53 m, the end of a 16 bit counter;
                                      ///< 0 = there is no such code
+  std::optional<BeamTimes> beam_times;  ///< none: nobody knows; they count as measured at the stamp
   double least_measured = 0.5;
 };
 
@@ -31,6 +41,11 @@ std::string noReturnText(const ScanRules& rules);
 /// and what was expected.
 void setNoReturn(const std::string& text, ScanRules* rules);
 
+/// "0.18 0", first and last; empty where there are none.
+std::string beamTimesText(const ScanRules& rules);
+/// Reads that text, or a list of the two numbers. Throws std::invalid_argument with the text and what was expected.
+void setBeamTimes(const std::string& text, ScanRules* rules);
+
 /// Visits every parameter; see parameter_visitors.hpp.
 template <typename Rules, typename Visitor>
 void visitScanRules(Rules& rules, const Visitor& visit) {
@@ -39,6 +54,11 @@ void visitScanRules(Rules& rules, const Visitor& visit) {
         "readings that the driver sends in place of +inf: nan, zero, below (range_min), beyond (range_max) and one "
         "number (m); what is listed counts as free");
   if constexpr (!std::is_const_v<Rules>) setNoReturn(no_return, &rules);
+  std::string beam_times = beamTimesText(rules);
+  visit("beam_times", beam_times, {}, "s",
+        "when the first and the last beam of a scan are measured, after its stamp; empty: the plugins find it out by "
+        "comparing scans, until then and elsewhere all beams count as measured at the stamp");
+  if constexpr (!std::is_const_v<Rules>) setBeamTimes(beam_times, &rules);
   visit("least_measured", rules.least_measured, {0.01, 1.0}, "",
         "share of the beams in each sector that must be measured: other scans are not used; less only if a part of the "
         "robot hides the view");

@@ -51,5 +51,7 @@ void checkMeasured(const RangeProfile& profile, double least_measured);
 /// are not finite or beyond two turns, an increment of less than 1e-5 rad, range_min not below range_max, a range_max
 /// that is not positive, or a scanner that is farther than 100 m from the robot, or turned by more than two turns.
 void checkScan(const LaserScan& scan, const SensorMount& mount);
+/// Whether it lets the scan through.
+bool isScan(const LaserScan& scan, const SensorMount& mount);
 
 }  // namespace lstm_planner

@@ -34,12 +34,12 @@ struct Create2StubParameters {
 
   // The robot and its scanner.
   Create2Parameters robot;
-  HokuyoParameters laser;
+  HokuyoParameters laser = swept();
   std::string laser_frame = "laser";
   double laser_height = 0.125;
   double base_link_height = 0.017;
   bool has_second_laser = false;
-  HokuyoParameters second_laser = lookingBack();
+  HokuyoParameters second_laser = swept(lookingBack());
   std::string second_laser_frame = "second_laser";
   double second_laser_height = 0.125;
   bool publish_static_tf = true;

@@ -42,6 +42,30 @@ TEST(ScanRules, AreRefusedWithTheWordThatIsNoReading) {
   EXPECT_THAT(refusal("65.53 82"), HasSubstr("expected one number at most"));
 }
 
+TEST(ScanRules, BeamTimesAreReadFromTheTextThatTheyAreWrittenAs) {
+  for (const std::string text : {"", "0.18 0", "0 -0.2"}) {
+    ScanRules rules;
+    rules.beam_times = BeamTimes{0.5, 0.5};
+    setBeamTimes(text, &rules);
+    EXPECT_EQ(beamTimesText(rules), text);
+  }
+  ScanRules rules;
+  setBeamTimes("[0.182, 0.0]", &rules);  // as rosparam reads a list
+  EXPECT_EQ(beamTimesText(rules), "0.182 0");
+  setNoReturn("nan", &rules);
+  EXPECT_EQ(beamTimesText(rules), "0.182 0") << "the readings are another matter";
+}
+
+TEST(ScanRules, BeamTimesAreTwoNumbersOfLessThanASecond) {
+  for (const std::string text : {"0.18", "0.18 0 0", "0.18 fast", "0.18s 0", "0 nan", "0 1.5", "-2 0"}) {
+    const std::string said = test::refusalOf<std::invalid_argument>([&] {
+      ScanRules rules;
+      setBeamTimes(text, &rules);
+    });
+    EXPECT_EQ(said, "beam_times is '" + text + "', expected two numbers from -1 to 1 s, such as 0.18 0");
+  }
+}
+
 TEST(ScanRules, NeedAShareThatIsNotZero) {
   ScanRules rules;
   rules.least_measured = 0.0;
