@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lstm_planner/drive/perception/deskew.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "ros/common/timing.hpp"
 
@@ -134,10 +135,10 @@ SensorReading SensorListener::read(const ros::Time& now) {
   if (second_) second_->watch.check(now.toSec());
   checkOdometry(now);
   SensorReading reading;
-  reading.first = readingOf(first_);
+  reading.first = readingOf(&first_);
   reading.scan_period = first_.watch.period();
   if (second_) {
-    reading.second = readingOf(*second_);
+    reading.second = readingOf(&*second_);
     reading.scan_period = std::max(reading.scan_period, second_->watch.period());
   }
   reading.odometry_frame = odometry_frame_;
@@ -148,9 +149,33 @@ SensorReading SensorListener::read(const ros::Time& now) {
   return reading;
 }
 
-ScanReading SensorListener::readingOf(const Scanner& scanner) {
-  const double stamp = scanner.watch.stamp();
-  return {scanner.scan, stamp, mountOf(scanner), history_.poseAt(stamp)};
+ScanReading SensorListener::readingOf(Scanner* scanner) {
+  const double stamp = scanner->watch.stamp();
+  ScanReading reading{scanner->scan, stamp, mountOf(*scanner), history_.poseAt(stamp)};
+  reading.scan.stamp = stamp;
+  const ScanRules rules = rulesFor(reading, scanner);
+  deskew(
+      reading.mount, rules, [this](double time) { return history_.poseAt(time); }, &reading.scan);
+  return reading;
+}
+
+/// With the times of the beams as they were found, where nobody has set them. `reading`: as the driver sent it.
+ScanRules SensorListener::rulesFor(const ScanReading& reading, Scanner* scanner) const {
+  ScanRules rules = parameters_.scan_rules;
+  BeamTimesWatch& watch = scanner->beam_times;
+  if (rules.beam_times) return rules;
+  const bool was_found = watch.found().has_value();
+  watch.show(reading.scan, reading.mount, rules, scanner->watch.period(),
+             [this](double time) { return history_.poseAt(time); });
+  rules.beam_times = watch.found();
+  if (rules.beam_times && !was_found) {
+    ROS_INFO(
+        "by comparison of scans on %s their first beam is measured %.3f s after the stamp, the last one %.3f s: from "
+        "now "
+        "on scans are corrected for the robot's motion by these beam_times",
+        scanner->watch.topic().c_str(), rules.beam_times->first, rules.beam_times->last);
+  }
+  return rules;
 }
 
 std::optional<Pose2> SensorListener::newestPose() {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "lstm_planner/drive/perception/beam_times_watch.hpp"
 #include "lstm_planner/drive/perception/laser_scan.hpp"
 #include "lstm_planner/drive/perception/odometry_history.hpp"
 #include "lstm_planner/drive/perception/period_meter.hpp"
@@ -26,7 +27,7 @@ namespace lstm_planner {
 
 /// The newest scan of a scanner.
 struct ScanReading {
-  LaserScan scan;
+  LaserScan scan;      ///< as if all beams had been measured at the stamp: see deskew()
   double stamp = 0.0;  ///< s; when it was received, where the driver does not stamp its scans
   SensorMount mount;   ///< of the scanner in the base frame
   Pose2 pose;          ///< base in the odometry frame when the scan was taken
@@ -86,6 +87,7 @@ class SensorListener {
     explicit Scanner(const ScannerWatch& scanner_watch) : watch(scanner_watch) {}
     ScannerWatch watch;
     PublisherWatch publishers;
+    BeamTimesWatch beam_times;
     LaserScan scan;
     std::string frame;
   };
@@ -100,7 +102,8 @@ class SensorListener {
   void sayTimeoutsOnce();
   double odometryTimeout() const;
   ScannerWatch watchFor(const std::string& topic) const;
-  ScanReading readingOf(const Scanner& scanner);
+  ScanReading readingOf(Scanner* scanner);
+  ScanRules rulesFor(const ScanReading& reading, Scanner* scanner) const;
   SensorHealth healthOf(const Scanner& scanner, const ros::Time& now);
   const SensorMount& mountOf(const Scanner& scanner);
 
