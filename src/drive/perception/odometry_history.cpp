@@ -10,7 +10,7 @@ namespace {
 constexpr double kKept = 1.0;            // s
 constexpr std::size_t kMostKept = 2000;  // entries: where stamps hardly go on, the oldest are forgotten
 constexpr double kContinued = 0.2;       // s
-constexpr double kOvertaken = 0.1;       // s by which a driver that sets its clock right stamps a message too early
+constexpr double kOvertaken = 0.5;       // s by which a stamp is too early: a clock set right, an EKF that smooths
 constexpr double kSpeedOver = 0.05;      // s, at least, from which a speed is taken
 constexpr double kLongestDrive = 1.0;    // s that a robot drives without odometry: then its controller stops it
 constexpr double kJumpSlack = 0.25;      // m, what rounding and late stamps may add

@@ -22,7 +22,7 @@ class OdometryHistory {
   explicit OdometryHistory(double max_speed) : max_speed_(max_speed) {}
 
   /// Adds an entry, which must be finite. After a jump of the pose or of the clock the history is empty. One that is
-  /// stamped a little before the newest is left out.
+  /// stamped at most 0.5 s before the newest is left out.
   void add(const Entry& entry);
 
   /// What comes next is of another frame: counts as a jump, unless there was nothing before.
