@@ -269,7 +269,7 @@ const Decision& PlanMaker::drive(const Pose2& goal, bool is_new) {
     case GoalChanges::Fresh::kJump:
       ROS_WARN(
           "the odometry jumped, or the localisation moved the robot: the path so far and the remembered obstacles are "
-          "deleted; the goal stays");
+          "deleted; the goal keeps its coordinates");
       markers_.clearTrace();
       break;
     case GoalChanges::Fresh::kNo:
