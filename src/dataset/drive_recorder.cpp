@@ -100,7 +100,14 @@ void DriveRecorder::endEpisode(EpisodeEnd end) {
   step_.reset();
   if (in_episode_) sink_->endEpisode(now_, end);
   in_episode_ = false;
-  if (end == EpisodeEnd::kArrived || end == EpisodeEnd::kAborted) goal_.reset();
+  const bool is_done = end == EpisodeEnd::kArrived || end == EpisodeEnd::kAborted;
+  // Its coordinates are another place from then on, but who drives goes to the one that was meant.
+  if (is_done || (end == EpisodeEnd::kOdometryJump && isGoalInOdometry())) goal_.reset();
+}
+
+bool DriveRecorder::isGoalInOdometry() const {
+  const std::optional<Pose2> frame = goal_ ? lookup_(goal_->frame, now_) : std::nullopt;
+  return frame && frame->x == 0.0 && frame->y == 0.0 && frame->yaw == 0.0;
 }
 
 void DriveRecorder::work(const OdometryHeard& odometry) {
@@ -110,7 +117,8 @@ void DriveRecorder::work(const OdometryHeard& odometry) {
   const bool has_jumped = history_.jumps() != jumps;
   const double elapsed = odometry.stamp - before;
   if (has_jumped) {
-    endEpisode(EpisodeEnd::kOdometryJump);
+    // Stamps that go back count as a jump, too: then the clock was set, and the odometry goes on.
+    endEpisode(elapsed < 0.0 ? EpisodeEnd::kTimeJump : EpisodeEnd::kOdometryJump);
     observer_.forget();
   } else if (elapsed > parameters_.max_gap) {
     endEpisode(EpisodeEnd::kTimeJump);

@@ -130,9 +130,9 @@ TEST_F(RecorderTest, AnAbortedGoalEndsItsEpisodeButNotThatOfTheNextGoal) {
   EXPECT_EQ(episodes[1].steps.size(), 3U) << "of four, the last look came after the end";
 }
 
-TEST_F(RecorderTest, JumpsOfOdometryAndClockEndAnEpisodeAndTheGoalStays) {
+TEST_F(RecorderTest, JumpsOfOdometryAndClockEndAnEpisodeAndAGoalInTheMapStays) {
   start();
-  giveGoal(goalAt(9.0, 0.0));
+  giveGoal(goalAt(9.0, 0.0, "map"));
   drive({0.4, 0.0, 0.0}, 2.0);
   passTime(kTick);
   sense({3.0, 1.0, 0.0});

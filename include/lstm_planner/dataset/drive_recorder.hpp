@@ -25,7 +25,7 @@ namespace lstm_planner {
 /// RecorderParameters::delay, live or from a file. Not thread safe.
 class DriveRecorder {
  public:
-  /// Pose of a frame in the odometry frame at a time (s); empty if it is not known.
+  /// Pose of a frame in the odometry frame at a time (s), Pose2() of that frame itself; empty if it is not known.
   using FrameLookup = std::function<std::optional<Pose2>(const std::string& frame, double stamp)>;
 
   /// `sink` must outlive the recorder. Throws as validate().
@@ -45,7 +45,8 @@ class DriveRecorder {
   void setPaused(bool paused);
   bool paused() const { return paused_; }
 
-  /// Ends the running episode, if there is one, for this reason.
+  /// Ends the running episode, if there is one, for this reason. The goal goes with it where it was reached or given
+  /// up, and a goal in the odometry frame where the odometry jumped.
   void endEpisode(EpisodeEnd end);
 
   /// The goal that is being driven to, in its frame; empty if there is none.
@@ -63,6 +64,7 @@ class DriveRecorder {
   void sample(ScanHeard scan);
   /// Why the scan cannot be used; empty if it can. Corrects its distortion by the robot's motion.
   std::string see(ScanHeard* scan);
+  bool isGoalInOdometry() const;
   bool isAt(const Point2& goal, const Pose2& pose) const;
   void startEpisode();
   void startStep(const ScanHeard& scan);

@@ -235,13 +235,27 @@ TEST_F(DriveRecorderTest, AGoalThatIsGivenUpEndsTheEpisode) {
   EXPECT_EQ(steps_.episodes()[0].episode.end, EpisodeEnd::kAborted);
 }
 
-TEST_F(DriveRecorderTest, AJumpOfTheOdometryEndsTheEpisode) {
+TEST_F(DriveRecorderTest, AJumpOfTheOdometryEndsTheEpisodeAndTheGoalInItsFrame) {
   DrivenRobot robot;
   robot.events.push_back(goalAt(robot.time(), 20.0, 0.0));
   robot.drive(2.0, {0.3, 0.0});
   robot.jump({5.0, 5.0, 1.0});
   robot.drive(2.0, {0.3, 0.0});
   record(robot.events);
+  ASSERT_EQ(steps_.episodes().size(), 1u);
+  EXPECT_EQ(steps_.episodes()[0].episode.end, EpisodeEnd::kOdometryJump);
+  EXPECT_GT(steps_.rejected(Rejection::kNoGoal), 0);
+}
+
+TEST_F(DriveRecorderTest, AGoalInAnotherFrameStaysTheGoalWhenTheOdometryJumps) {
+  DrivenRobot robot;
+  robot.events.push_back(GoalHeard{robot.time(), {"map", {20.0, 0.0, 0.0}}, "test"});
+  robot.drive(2.0, {0.3, 0.0});
+  robot.jump({5.0, 5.0, 1.0});
+  robot.drive(2.0, {0.3, 0.0});
+  DriveRecorder recorder(parameters_, &steps_, [](const std::string&, double) { return Pose2{1.0, 0.0, 0.0}; });
+  for (const DriveEvent& event : robot.events) recorder.add(event);
+  recorder.finish();
   ASSERT_EQ(steps_.episodes().size(), 2u);
   EXPECT_EQ(steps_.episodes()[0].episode.end, EpisodeEnd::kOdometryJump);
   for (const auto& episode : steps_.episodes()) {
