@@ -41,10 +41,11 @@ class Pitfalls(unittest.TestCase):
         robot.send(FAR)
         self.assertEqual(robot.finish(), GoalStatus.SUCCEEDED)
         self.assertLess(robot.distance(FAR), TOLERANCE + ODOMETRY_ERROR)
-        # The local planner takes the last pose for the goal, wherever the network steers for.
+        # The local planner takes the last pose for the goal, wherever the network steers for. The goal moves in the
+        # odometry's frame as the odometry drifts.
         self.assertGreater(len(robot.plans), 5)
         for plan in robot.plans:
-            self.assertLess(robot.plan_end(plan.poses, FAR), 1e-6)
+            self.assertLess(robot.plan_end(plan.poses, FAR), ODOMETRY_ERROR)
         self.assertEqual(robot.judge.contacts, 0)
 
     def test_2_questions_of_others_change_nothing(self):
