@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -18,6 +19,18 @@ inline GridWorld room(double width, double depth, const std::vector<std::pair<Po
   OccupancyGrid grid = emptyHall(width, depth);
   for (const auto& [low, high] : boxes) fillBox(low.x, low.y, high.x, high.y, &grid);
   return GridWorld(grid);
+}
+
+/// A scanner that turns and sees all around, without noise.
+inline HokuyoParameters turningScanner(const BeamTimes& times) {
+  HokuyoParameters scanner;
+  scanner.beams = 360;
+  scanner.angle_min = -M_PI;
+  scanner.angle_increment = 2.0 * M_PI / 360.0;
+  scanner.noise = 0.0;
+  scanner.dropout = 0.0;
+  scanner.beam_times = times;
+  return scanner;
 }
 
 /// A scanner with noise, and what it sees from there.

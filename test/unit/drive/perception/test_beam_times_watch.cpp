@@ -13,15 +13,11 @@ namespace {
 constexpr double kTurn = 0.18;  // s, of an RPLIDAR A1
 
 HokuyoParameters turningScanner(const BeamTimes& times) {
-  HokuyoParameters scanner;
-  scanner.beams = 360;
-  scanner.angle_min = -M_PI;
-  scanner.angle_increment = 2.0 * M_PI / 360.0;
+  HokuyoParameters scanner = test::turningScanner(times);
   scanner.sight = 12.0;
   scanner.noise = 0.015;
   scanner.dropout = 0.02;
   scanner.rate = 1.0 / kTurn;
-  scanner.beam_times = times;
   return scanner;
 }
 

@@ -29,16 +29,10 @@ struct Motion {
   }
 };
 
-/// A scanner that turns five times a second and sees all around, without noise.
+/// Beside the middle of the robot, and turned.
 HokuyoParameters turningScanner(const BeamTimes& times) {
-  HokuyoParameters scanner;
-  scanner.beams = 360;
-  scanner.angle_min = -M_PI;
-  scanner.angle_increment = 2.0 * M_PI / 360.0;
-  scanner.noise = 0.0;
-  scanner.dropout = 0.0;
+  HokuyoParameters scanner = test::turningScanner(times);
   scanner.mount.pose = {0.1, -0.05, 0.4};
-  scanner.beam_times = times;
   return scanner;
 }
 
