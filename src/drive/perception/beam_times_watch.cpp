@@ -18,11 +18,6 @@ constexpr double kWorstMisfit = 0.3;    // m: what is farther from every surface
 constexpr int kFewestScans = 8;         // of turns
 constexpr double kClearlyBetter = 0.7;  // of the next best misfit
 
-/// By the rules of BeamTimesWatch; `sweep`: s from the first beam to the last one.
-std::array<BeamTimes, 5> possibleTimes(double sweep) {
-  return {{{0.0, 0.0}, {0.0, sweep}, {sweep, 0.0}, {-sweep, 0.0}, {0.0, -sweep}}};
-}
-
 /// Mean distance of the returns, seen from `pose` in the frame of the surfaces, from these, m.
 double misfit(const RangeProfile& profile, const Pose2& pose, const ScanSurfaces& surfaces) {
   double sum = 0.0;
@@ -41,19 +36,23 @@ double misfit(const RangeProfile& profile, const Pose2& pose, const ScanSurfaces
 
 }  // namespace
 
+BeamTimesWatch::Times BeamTimesWatch::possibleTimes(double sweep) {
+  return {{{0.0, 0.0}, {0.0, sweep}, {sweep, 0.0}, {-sweep, 0.0}, {0.0, -sweep}}};
+}
+
 void BeamTimesWatch::show(const LaserScan& scan, const SensorMount& mount, const ScanRules& rules, double turn,
                           const std::function<Pose2(double)>& pose_at) {
   if (found_ || turn < kShortestTurn || scan.stamp == newest_ || !isScan(scan, mount)) return;
   newest_ = scan.stamp;
   const double share = static_cast<double>(scan.ranges.size()) * std::abs(scan.angle_increment) / kFullTurn;
-  sweep_ = turn * std::min(1.0, share);
-  const double turned = std::abs(normalizeAngle(pose_at(scan.stamp + sweep_).yaw - pose_at(scan.stamp - sweep_).yaw));
+  const double sweep = turn * std::min(1.0, share);
+  const double turned = std::abs(normalizeAngle(pose_at(scan.stamp + sweep).yaw - pose_at(scan.stamp - sweep).yaw));
   const bool is_reference = turned < kNotTurned;
   if (!is_reference && (turned < kLeastTurned || !reference_)) return;
 
   const Pose2 pose = pose_at(scan.stamp);
   Profiles profiles;
-  const std::array<BeamTimes, kRules> times = possibleTimes(sweep_);
+  const Times times = possibleTimes(sweep);
   for (std::size_t rule = 0; rule < kRules; ++rule) {
     ScanRules by_these = rules;
     by_these.beam_times = times[rule];
@@ -65,7 +64,7 @@ void BeamTimesWatch::show(const LaserScan& scan, const SensorMount& mount, const
     setReference(scan.stamp, pose, profiles);
   } else if (std::abs(scan.stamp - reference_->time) < kLongestAgo &&
              distanceBetween(pose, reference_->pose) < kFarthestAway) {
-    compare(pose, profiles);
+    compare(pose, profiles, times);
   }
 }
 
@@ -76,7 +75,7 @@ void BeamTimesWatch::setReference(double time, const Pose2& pose, const Profiles
   for (std::size_t rule = 0; rule < kRules; ++rule) reference_->surfaces[rule].show(profiles[rule]);
 }
 
-void BeamTimesWatch::compare(const Pose2& pose, const Profiles& profiles) {
+void BeamTimesWatch::compare(const Pose2& pose, const Profiles& profiles, const Times& times) {
   const Pose2 moved = compose(inverse(reference_->pose), pose);
   for (std::size_t rule = 0; rule < kRules; ++rule) {
     misfits_[rule] += misfit(profiles[rule], moved, reference_->surfaces[rule]);
@@ -85,9 +84,7 @@ void BeamTimesWatch::compare(const Pose2& pose, const Profiles& profiles) {
   const auto best = std::min_element(misfits_.begin(), misfits_.end());
   const auto worse =
       std::count_if(misfits_.begin(), misfits_.end(), [&](double misfit) { return *best <= kClearlyBetter * misfit; });
-  if (scans_ >= kFewestScans && worse == kRules - 1) {
-    found_ = possibleTimes(sweep_)[static_cast<std::size_t>(best - misfits_.begin())];
-  }
+  if (scans_ >= kFewestScans && worse == kRules - 1) found_ = times[static_cast<std::size_t>(best - misfits_.begin())];
 }
 
 }  // namespace lstm_planner

@@ -28,6 +28,7 @@ class BeamTimesWatch {
  private:
   static constexpr std::size_t kRules = 5;
 
+  using Times = std::array<BeamTimes, kRules>;        ///< by each rule
   using Profiles = std::array<RangeProfile, kRules>;  ///< of a scan, corrected by each rule
 
   /// A scan that was taken when the robot did not turn.
@@ -36,12 +37,13 @@ class BeamTimesWatch {
     Pose2 pose;
     std::array<ScanSurfaces, kRules> surfaces;
   };
+  /// `sweep`: s from the first beam to the last one.
+  static Times possibleTimes(double sweep);
   void setReference(double time, const Pose2& pose, const Profiles& profiles);
-  void compare(const Pose2& pose, const Profiles& profiles);
+  void compare(const Pose2& pose, const Profiles& profiles, const Times& times);
 
   std::optional<Reference> reference_;
   double newest_ = 0.0;                   ///< s, stamp of the last scan
-  double sweep_ = 0.0;                    ///< s, from the first beam to the last one
   std::array<double, kRules> misfits_{};  ///< m, sums over the scans of turns
   int scans_ = 0;                         ///< of turns
   std::optional<BeamTimes> found_;

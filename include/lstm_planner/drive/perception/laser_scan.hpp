@@ -23,12 +23,6 @@ struct LaserScan {
   std::vector<float> ranges;
 };
 
-/// Whether so many beams, `increment` rad apart, go all around: the last one is beside the first one, or one is missing
-/// between them, since some drivers divide the span of the readings that they got by their number.
-inline bool isFullTurn(std::size_t beams, double increment) {
-  return (static_cast<double>(beams) + 1.5) * std::abs(increment) > kFullTurn;
-}
-
 /// How the scanner sits on the robot: its position and yaw in the base frame, and whether it hangs upside down, which
 /// mirrors the order of the beams.
 struct SensorMount {
@@ -64,7 +58,9 @@ struct RangeProfile {
   /// Index of the beam nearest to `direction` (rad, base frame); -1 when none is within an increment of it,
   /// unless the scan closes.
   long beamTowards(double direction) const;
-  bool closes() const { return isFullTurn(ranges.size(), increment); }
+  /// Whether the last beam is beside the first one, or one is missing between them: some drivers divide the span of the
+  /// readings that they got by their number.
+  bool closes() const { return (static_cast<double>(ranges.size()) + 1.5) * std::abs(increment) > kFullTurn; }
   /// Index of a beam that was counted from another one, maybe beyond the ends: where the scan closes it goes on there.
   /// -1 when there is none.
   long beamAt(long counted) const;
