@@ -171,8 +171,7 @@ ScanRules SensorListener::rulesFor(const ScanReading& reading, Scanner* scanner)
   if (rules.beam_times && !was_found) {
     ROS_INFO(
         "by comparison of scans on %s their first beam is measured %.3f s after the stamp, the last one %.3f s: from "
-        "now "
-        "on scans are corrected for the robot's motion by these beam_times",
+        "now on scans are corrected for the robot's motion by these beam_times",
         scanner->watch.topic().c_str(), rules.beam_times->first, rules.beam_times->last);
   }
   return rules;

@@ -29,8 +29,7 @@ template <typename Parameters, typename Visitor>
 void visitRecorderNodeParameters(Parameters& node, const Visitor& visit) {
   visit("output", node.output, {}, "",
         "path of the file; may start with ~/ or package://NAME/; %Y and the like are replaced by the time, {namespace} "
-        "by "
-        "_ and the node's namespace, if it has one");
+        "by _ and the node's namespace, if it has one");
   visit("scan_topic", node.scan_topic, {}, "", "sensor_msgs/LaserScan");
   visit("odom_topic", node.odom_topic, {}, "", "nav_msgs/Odometry");
   visit("base_frame", node.base_frame, {}, "", "the robot's frame, if the odometry does not name it");
