@@ -84,6 +84,25 @@ class DriveRecorderTest : public testing::Test {
   StepList steps_;
 };
 
+TEST_F(DriveRecorderTest, TakesTheRobotsMotionOutOfTheScansOfAScannerThatTurns) {
+  parameters_.scan_rules.beam_times = BeamTimes{0.0, 0.1};
+  DrivenRobot robot;
+  robot.events.push_back(goalAt(robot.time(), 10.0, 0.0));
+  robot.drive(2.0, {0.3, 1.0});
+  constexpr float kNothing = std::numeric_limits<float>::infinity();
+  for (DriveEvent& event : robot.events) {
+    auto* const scan = std::get_if<ScanHeard>(&event);
+    if (scan != nullptr) std::fill_n(scan->scan.ranges.begin() + 90, 10, kNothing);
+  }
+  record(robot.events);
+
+  ASSERT_GE(steps_.episodes().at(0).steps.size(), 3u);
+  const std::vector<float>& ranges = steps_.episodes()[0].steps[2].ranges;
+  // Beams 90 to 99 are measured half a scan after the stamp: the robot has turned by 0.05 rad, three beams.
+  EXPECT_EQ(std::count(ranges.begin(), ranges.end(), kNothing), 10);
+  EXPECT_EQ(std::find(ranges.begin(), ranges.end(), kNothing) - ranges.begin(), 93);
+}
+
 TEST_F(DriveRecorderTest, MakesAStepEveryPeriodOfADrive) {
   DrivenRobot robot;
   robot.events.push_back(goalAt(robot.time(), 10.0, 0.0));
