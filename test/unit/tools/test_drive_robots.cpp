@@ -56,7 +56,7 @@ TEST_F(DriveRobots, AScannerThatTurnsDoesNotHoldARobotUp) {
     EXPECT_EQ(drive(mazes + option).status, 0);
     return result()["mean_time_s"].get<double>();
   };
-  // In 40 mazes 73 and 209 s: what seems to move in a turn is taken for people.
+  // In 40 mazes 73 and 170 s: what seems to move in a turn is taken for people.
   EXPECT_LT(1.5 * timeWith(""), timeWith(" --no-scan-correction"));
 }
 
