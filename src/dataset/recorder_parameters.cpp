@@ -36,7 +36,7 @@ void validate(const RecorderParameters& parameters) {
 }
 
 bool isStep(const Pose2& from, const Pose2& to, const RecorderParameters& parameters) {
-  const double turned = std::abs(normalizeAngle(to.yaw - from.yaw));
+  const double turned = turnBetween(to, from);
   return distanceBetween(from, to) >= parameters.min_step_distance ||
          (parameters.min_step_turn > 0.0 && turned >= parameters.min_step_turn);
 }

@@ -27,8 +27,7 @@ bool isAt(const geometry_msgs::PoseStamped& stamped, const Pose2& pose) {
   constexpr double kDrift = 0.1 * kGoalAhead;
   constexpr double kYawDrift = 0.1 * M_PI;
   const Pose2 is = fromMessage(stamped.pose);
-  return distanceBetween(is, pose) < AgentParameters().goal_tolerance + kDrift &&
-         std::abs(normalizeAngle(is.yaw - pose.yaw)) < kYawDrift;
+  return distanceBetween(is, pose) < AgentParameters().goal_tolerance + kDrift && turnBetween(is, pose) < kYawDrift;
 }
 
 /// Counts what arrives on a topic.

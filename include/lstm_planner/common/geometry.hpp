@@ -43,6 +43,9 @@ double distanceBetween(const A& a, const B& b) {
   return std::hypot(b.x - a.x, b.y - a.y);
 }
 
+/// Angle between the headings, rad, in [0, pi].
+inline double turnBetween(const Pose2& a, const Pose2& b) { return std::abs(normalizeAngle(b.yaw - a.yaw)); }
+
 /// Direction from a to b in the frame both are given in, rad; 0 when the two coincide.
 template <typename A, typename B>
 double directionTo(const A& a, const B& b) {

@@ -13,7 +13,7 @@ bool sameGoal(const GoalInFrame& a, const GoalInFrame& b) {
   constexpr double kSamePosition = 1e-3;
   constexpr double kSameHeading = 1e-3;
   return a.frame == b.frame && distanceBetween(a.pose, b.pose) <= kSamePosition &&
-         std::abs(normalizeAngle(a.pose.yaw - b.pose.yaw)) <= kSameHeading;
+         turnBetween(a.pose, b.pose) <= kSameHeading;
 }
 
 GoalTracker::GoalTracker(double patience, bool announces_each_plan)

@@ -5,7 +5,7 @@
 namespace lstm_planner {
 
 bool isStepDriven(const StepParameters& step, const Pose2& start, const Pose2& pose, const Point2& waypoint) {
-  return distanceBetween(start, pose) >= step.length || std::abs(normalizeAngle(pose.yaw - start.yaw)) >= step.turn ||
+  return distanceBetween(start, pose) >= step.length || turnBetween(pose, start) >= step.turn ||
          distanceBetween(pose, waypoint) < step.reached;
 }
 
@@ -37,7 +37,7 @@ bool StepClock::isStalled(const Situation& situation) {
 
 bool StepClock::hasMoved(const Situation& situation, const Pose2& since) const {
   return distanceBetween(since, situation.pose) >= parameters_.still_distance ||
-         std::abs(normalizeAngle(situation.pose.yaw - since.yaw)) >= parameters_.still_turn;
+         turnBetween(situation.pose, since) >= parameters_.still_turn;
 }
 
 }  // namespace lstm_planner

@@ -252,8 +252,7 @@ MotionCommand MotionController::choose(const Moment& now, const std::vector<Poin
 
 bool MotionController::goalReached(const Pose2& pose, const Pose2& goal) const {
   return distanceBetween(pose, goal) <= parameters_.position_tolerance &&
-         (parameters_.heading_tolerance >= M_PI ||
-          std::abs(normalizeAngle(goal.yaw - pose.yaw)) <= parameters_.heading_tolerance);
+         (parameters_.heading_tolerance >= M_PI || turnBetween(goal, pose) <= parameters_.heading_tolerance);
 }
 
 Pose2 MotionController::target(const MotionSituation& situation) const {

@@ -120,7 +120,7 @@ class WaySearch {
 
   bool wasAt(const Pose2& pose) const {
     return std::any_of(was_.begin(), was_.end(), [&](const Pose2& place) {
-      return distanceBetween(place, pose) <= kWasThere && std::abs(normalizeAngle(place.yaw - pose.yaw)) <= kWasHeaded;
+      return distanceBetween(place, pose) <= kWasThere && turnBetween(place, pose) <= kWasHeaded;
     });
   }
 

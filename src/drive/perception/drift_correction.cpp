@@ -37,8 +37,6 @@ constexpr double kYawError = 0.002;       ///< rad
 constexpr double kYawShare = 0.06;        ///< of the turn
 constexpr double kYawADistance = 0.04;    ///< rad/m
 
-double turnBetween(const Pose2& a, const Pose2& b) { return std::abs(normalizeAngle(b.yaw - a.yaw)); }
-
 }  // namespace
 
 void DriftCorrection::restart() {

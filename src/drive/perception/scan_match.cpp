@@ -89,7 +89,7 @@ ScanMatch matchScan(const std::vector<SurfacePiece>& pieces, const std::vector<c
   const auto matched = static_cast<double>(std::count(is_matched.begin(), is_matched.end(), 1));
   found.share = matched / static_cast<double>(pieces.size());
   const bool is_near = distanceBetween(found.pose, predicted) < kMostErrors * error.position &&
-                       std::abs(normalizeAngle(found.pose.yaw - predicted.yaw)) < kMostErrors * error.yaw;
+                       turnBetween(found.pose, predicted) < kMostErrors * error.yaw;
   found.is_sure = is_near && found.share > kLeastShare && pieces.size() >= kFewestPieces;
   return found;
 }

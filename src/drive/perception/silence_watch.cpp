@@ -21,8 +21,7 @@ constexpr double kMostlySilent = 0.5;  // of the beams
 bool SilenceWatch::isComparable(double time, const Pose2& pose) const {
   const double apart = time - time_;
   if (apart >= 0.0 && apart <= std::max(kMostApart, kMostPeriods * period_.period())) return true;
-  return distanceBetween(pose, pose_) <= kHardlyMoved &&
-         std::abs(normalizeAngle(pose.yaw - pose_.yaw)) <= kHardlyTurned;
+  return distanceBetween(pose, pose_) <= kHardlyMoved && turnBetween(pose, pose_) <= kHardlyTurned;
 }
 
 void SilenceWatch::show(const LaserScan& scan, const ScanRules& rules, double time, const Pose2& pose) {

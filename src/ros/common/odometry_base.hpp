@@ -57,8 +57,7 @@ class OdometryBase {
   bool place(const Pose2& base) {
     constexpr double kTilts = 0.1;  // m, rad
     if (differ(base, base_)) base_ = base;
-    const bool is_elsewhere =
-        distanceBetween(base, settled_) > kTilts || std::abs(normalizeAngle(base.yaw - settled_.yaw)) > kTilts;
+    const bool is_elsewhere = distanceBetween(base, settled_) > kTilts || turnBetween(base, settled_) > kTilts;
     if (is_elsewhere) settled_ = base;
     return is_elsewhere;
   }

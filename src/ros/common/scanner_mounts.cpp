@@ -20,7 +20,7 @@ constexpr double kWarningPeriod = 30.0;  // s
 bool differ(const Pose2& one, const Pose2& other) {
   constexpr double kSamePlace = 0.001;      // m
   constexpr double kSameDirection = 0.002;  // rad
-  return distanceBetween(one, other) > kSamePlace || std::abs(normalizeAngle(one.yaw - other.yaw)) > kSameDirection;
+  return distanceBetween(one, other) > kSamePlace || turnBetween(one, other) > kSameDirection;
 }
 
 void ScannerMounts::setBaseFrame(const std::string& base_frame) {

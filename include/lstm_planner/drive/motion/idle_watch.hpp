@@ -16,8 +16,7 @@ class IdleWatch {
     time_ = time;
     if (is_told_) told_ += passed;
     is_told_ = std::abs(command.linear) >= kLeastSpeed || std::abs(command.angular) >= kLeastTurnSpeed;
-    if (distanceBetween(pose, pose_) <= kMovedAtAll && std::abs(normalizeAngle(pose.yaw - pose_.yaw)) <= kTurnedAtAll)
-      return;
+    if (distanceBetween(pose, pose_) <= kMovedAtAll && turnBetween(pose, pose_) <= kTurnedAtAll) return;
     pose_ = pose;
     told_ = 0.0;
   }

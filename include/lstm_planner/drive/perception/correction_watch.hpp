@@ -21,7 +21,7 @@ class CorrectionWatch {
     const Pose2 before = odometry_frame_.value_or(odometry_frame);
     odometry_frame_ = odometry_frame;
     const double moved = distanceBetween(compose(before, odometry), compose(odometry_frame, odometry));
-    const double turned = std::abs(normalizeAngle(odometry_frame.yaw - before.yaw));
+    const double turned = turnBetween(odometry_frame, before);
     if (moved > kFarthest || turned > kMostTurned) ++jumps_;
     return moved;
   }
