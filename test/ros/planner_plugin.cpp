@@ -171,6 +171,21 @@ TEST_F(PlannerTest, TfOfAnotherOdometryThanTheTopicsIsWarnedOf) {
   EXPECT_EQ(log_.count(warning), 1);
 }
 
+TEST_F(PlannerTest, ScansThatStayTheSameWhileTheOdometryGoesOnGiveNoPlanUntilANewGoal) {
+  ros::param::set("~/LstmGlobalPlanner/correct_drift", true);
+  DecisionListener decisions("LstmGlobalPlanner");
+  auto planner = makePlanner();
+  const auto goal = stampedPose("odom", kGoal);
+  announce(goal, planner.get(), &decisions);
+  for (int i = 0; i < 6; ++i) moveTo(planner.get(), {robot_.pose().x + 0.2, 0.0, 0.0}, 0.5);
+  log_.expectRefusal([&] { return plan(planner.get(), goal); },
+                     "no plan: by /odom the robot has moved by 1.2 m (or rad), by the scans it stands",
+                     [&] { stand(kLogPeriod); });
+  const auto elsewhere = stampedPose("odom", {kGoal.x, kGoal.y + 1.0, 0.0});
+  announce(elsewhere, planner.get(), &decisions);
+  EXPECT_TRUE(plan(planner.get(), elsewhere));
+}
+
 TEST_F(PlannerTest, ScanNarrowerThanTheSectorsGivesNoPlan) {
   auto planner = makePlanner();
   robot_.scan_span = M_PI_2;

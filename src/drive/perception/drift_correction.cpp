@@ -44,6 +44,7 @@ void DriftCorrection::restart() {
   moved_ = 0.0;
   turned_ = 0.0;
   keys_.clear();
+  slip_ = {};
 }
 
 void DriftCorrection::correct(Situation* situation) {
@@ -52,8 +53,18 @@ void DriftCorrection::correct(Situation* situation) {
   const bool turns_fast = turnRate(*situation) > kFastestTurn;
   if (keys_.empty() || isDue(odometry, turns_fast)) {
     surfaces_.show(situation->profile);
-    if (!keys_.empty()) match(odometry, turns_fast);
-    if (keys_.empty()) keep(compose(correction_, odometry));
+    surfaces_.sample(kSpacing, kMostPieces, &pieces_);
+    if (!keys_.empty()) {
+      moved_ += distanceBetween(last_odometry_, odometry);
+      turned_ += turnBetween(last_odometry_, odometry);
+    }
+    if (slip_.note(pieces_, surfaces_, odometry)) {
+      correction_ = compose(correction_, slip_.takeBack());
+    } else if (keys_.empty()) {
+      keep(compose(correction_, odometry));
+    } else {
+      match(odometry, turns_fast);
+    }
     last_odometry_ = odometry;
   }
   previous_ = odometry;
@@ -74,12 +85,9 @@ bool DriftCorrection::isDue(const Pose2& odometry, bool turns_fast) const {
 }
 
 void DriftCorrection::match(const Pose2& odometry, bool turns_fast) {
-  moved_ += distanceBetween(last_odometry_, odometry);
-  turned_ += turnBetween(last_odometry_, odometry);
   const Pose2 predicted = compose(correction_, odometry);
   const PoseError error{kPositionError + kPositionShare * moved_,
                         kYawError + kYawShare * turned_ + kYawADistance * moved_};
-  surfaces_.sample(kSpacing, kMostPieces, &pieces_);
   chooseKeys(predicted);
   const ScanMatch found = matchScan(pieces_, near_, predicted, error);
   const Pose2& pose = found.is_sure ? found.pose : predicted;

@@ -13,8 +13,6 @@ constexpr int kRounds = 8;
 /// m between a piece and its line: far at first, near once the pose is nearly right.
 constexpr double kFarthest[kRounds] = {0.3, 0.3, 0.15, 0.15, 0.1, 0.1, 0.1, 0.1};
 constexpr int kFewestRounds = 5;
-constexpr double kAside = 0.1;           ///< m that a piece may lie farther off along the wall
-constexpr double kSameNormal = 0.9;      ///< cosine
 constexpr double kDistanceError = 0.03;  ///< m, standard deviation; more than noise, as neighbours err alike
 constexpr double kOutlier = 0.05;        ///< m, at which a piece counts half (Cauchy)
 constexpr double kStill = 1e-4;          ///< m and rad
@@ -48,18 +46,15 @@ class Equations {
 
 Point2 turned(const Pose2& pose, const Point2& vector) { return toParentFrame({0.0, 0.0, pose.yaw}, vector); }
 
-double dot(const Point2& a, const Point2& b) { return a.x * b.x + a.y * b.y; }
-
 /// Adds the pieces that lie on a surface of the key scan; `weight` of one.
 void addPieces(const std::vector<SurfacePiece>& pieces, const KeyScan& key, const Pose2& pose, double farthest,
                double weight, Equations* equations, std::vector<std::uint8_t>* is_matched) {
   const Pose2 from_key = compose(inverse(key.pose), pose);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const Point2 at = toParentFrame(from_key, pieces[i].at);
-    const SurfacePiece* surface = key.surfaces.nearest(at, farthest + kAside);
-    if (surface == nullptr || dot(turned(from_key, pieces[i].normal), surface->normal) < kSameNormal) continue;
-    const double distance = dot(surface->normal, {at.x - surface->at.x, at.y - surface->at.y});
-    if (std::abs(distance) > farthest) continue;
+    const SurfacePiece piece = inParentFrame(from_key, pieces[i]);
+    const SurfacePiece* surface = key.surfaces.under(piece, farthest);
+    if (surface == nullptr) continue;
+    const double distance = surface->off(piece.at);
     (*is_matched)[i] = 1;
     equations->add(turned(pose, pieces[i].at), turned(key.pose, surface->normal), distance,
                    weight / (1.0 + square(distance / kOutlier)));

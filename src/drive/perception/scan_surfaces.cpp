@@ -15,6 +15,8 @@ constexpr double kRoughest = 0.025;    ///< m, root mean square distance of the 
 constexpr double kMostGrazing = 0.1;   ///< cosine of the angle between beam and normal
 constexpr long kSearchedBeams = 3;     ///< to both sides of a direction
 constexpr double kNearestWall = 1e-3;  ///< m
+constexpr double kAside = 0.1;         ///< m that a piece may lie farther off along the wall
+constexpr double kSameNormal = 0.9;    ///< cosine
 
 /// Sums over returns, for the line through them.
 struct Moments {
@@ -124,6 +126,13 @@ const SurfacePiece* ScanSurfaces::nearest(const Point2& point, double distance) 
     best = &piece;
   }
   return best;
+}
+
+const SurfacePiece* ScanSurfaces::under(const SurfacePiece& piece, double distance) const {
+  const SurfacePiece* surface = nearest(piece.at, distance + kAside);
+  if (surface == nullptr || std::abs(surface->off(piece.at)) > distance) return nullptr;
+  const double cosine = piece.normal.x * surface->normal.x + piece.normal.y * surface->normal.y;
+  return cosine < kSameNormal ? nullptr : surface;
 }
 
 void ScanSurfaces::sample(double spacing, std::size_t most, std::vector<SurfacePiece>* pieces) const {

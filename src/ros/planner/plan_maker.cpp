@@ -119,7 +119,9 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
   ask(goal, &global_goal);
   const bool is_new = verdict_ == GoalTracker::Verdict::kNewGoal;
   if (is_new) noteEnd(false);
+  if (is_new) drift_.slip().clear();
   const bool driven = verdict_ != GoalTracker::Verdict::kQuestion;
+  if (driven) checkMotion();
   const Pose2 asked = compose(drift_.correction(), global_goal);
   const Decision& decision = driven ? drive(global_goal, is_new) : preview(asked);
   if (driven) tracker_.setGivenUp(decision.choice == Decision::Move::kNoPath);
@@ -189,6 +191,15 @@ void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2&
                       "), plans are made only from where it stands: if tf has the pose of another odometry, as of an "
                       "EKF, odom_topic must be the topic of that one");
   }
+}
+
+void PlanMaker::checkMotion() {
+  const double slipped = drift_.slip().slipped();
+  if (slipped == 0.0) return;
+  throw PlanRefused("by " + ros::NodeHandle().resolveName(parameters_.sensors.odom_topic) + " the robot has moved by " +
+                    fixedText(slipped, 1) +
+                    " m (or rad), by the scans it stands: the wheels slip, an EKF goes on without the wheels, or the "
+                    "scanner repeats an old scan. Move the robot by 0.3 m, or give a new goal");
 }
 
 void PlanMaker::perceive(const SensorReading& reading) {

@@ -86,6 +86,7 @@ class PlanMaker {
   void makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal_message,
                                std::vector<geometry_msgs::PoseStamped>* plan);
   void checkStart(const geometry_msgs::PoseStamped& start, const Pose2& robot) const;
+  void checkMotion();
   void perceive(const SensorReading& reading);
   void warnOfReturnsInside() const;
   void hearOfGoals(const GoalInFrame& asked);

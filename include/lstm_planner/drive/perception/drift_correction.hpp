@@ -7,6 +7,7 @@
 #include "lstm_planner/drive/perception/scan_match.hpp"
 #include "lstm_planner/drive/perception/scan_surfaces.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
+#include "lstm_planner/drive/perception/slip_watch.hpp"
 
 namespace lstm_planner {
 
@@ -15,7 +16,8 @@ namespace lstm_planner {
 ///
 /// So the robot knows where it is with respect to where it started, and where it was before, to a fraction of what
 /// odometry knows: remembered obstacles stay where they are, and so does the goal. Where a scan shows no surfaces, in
-/// an open field, the odometry's motion is taken. There is no map to begin with, and none comes out.
+/// an open field, the odometry's motion is taken. Where they show that the robot has not moved at all, it has not
+/// (SlipWatch). There is no map to begin with, and none comes out.
 ///
 /// Poses that come out are in the corrected frame, which is the odometry frame at the start and after restart(). Its
 /// memory is bounded. Not thread safe.
@@ -34,6 +36,9 @@ class DriftCorrection {
   /// The odometry frame in the corrected frame, after the last correct().
   const Pose2& correction() const { return correction_; }
 
+  /// Whether the robot stands while the odometry goes on.
+  SlipWatch& slip() { return slip_; }
+
  private:
   double turnRate(const Situation& situation) const;
   bool isDue(const Pose2& odometry, bool turns_fast) const;
@@ -48,6 +53,7 @@ class DriftCorrection {
   Pose2 last_odometry_;         ///< when it was matched last
   double moved_ = 0.0;          ///< m, since the last match that was sure
   double turned_ = 0.0;         ///< rad
+  SlipWatch slip_;
   std::vector<KeyScan> keys_;
   ScanSurfaces surfaces_;             ///< of the current scan
   std::vector<SurfacePiece> pieces_;  ///< of the current scan

@@ -22,6 +22,11 @@ class DriftingRobot {
   /// Turns by that much (rad), goes on by that much (m), within that time (s); then looks.
   void move(double turn, double distance, double seconds = 1.0) {
     pose_ = moved(pose_, turn, distance);
+    slip(turn, distance, seconds);
+  }
+
+  /// As move(), but only by odometry.
+  void slip(double turn, double distance, double seconds = 1.0) {
     odometry_ = moved(odometry_, turn * turn_scale_, distance * scale_);
     time_ += seconds;
     Situation situation = scanner_.seenFrom(pose_, time_);
@@ -108,6 +113,58 @@ TEST(DriftCorrection, WaitsWhileTheRobotTurnsFast) {
   EXPECT_EQ(robot.correction().correction().yaw, 0.0) << "at 1 rad/s the beams of a sweep do not fit together";
   robot.move(0.0, 0.0, 0.4);
   EXPECT_LT(robot.yawError(), 0.01) << "it stands: the turn of 0.4 rad has been matched";
+}
+
+/// m and rad; more than the robot moves from one comparison to the next.
+constexpr double kCompared = 0.35;
+
+struct InVain {
+  const char* name;
+  double turn;      // rad a scan
+  double distance;  // m a scan
+};
+
+class DriftCorrectionInVain : public testing::TestWithParam<InVain> {};
+
+TEST_P(DriftCorrectionInVain, TakesBackWhatThreeScansInARowDoNotShow) {
+  DriftingRobot robot(kRoom, {2.0, 1.2, 0.0}, 1.0, 1.0);
+  for (int i = 0; i < 3; ++i) robot.move(0.0, kCompared);
+  const auto slip = [&] { robot.slip(GetParam().turn, GetParam().distance); };
+  slip();
+  slip();
+  EXPECT_EQ(robot.correction().slip().slipped(), 0.0) << "two scans may be late, behind a fast turn";
+  slip();
+  const double in_vain = 3.0 * (GetParam().turn + GetParam().distance);
+  EXPECT_NEAR(robot.correction().slip().slipped(), in_vain, 1e-9);
+  EXPECT_LT(robot.error(), 0.02);
+  EXPECT_LT(robot.yawError(), 0.01);
+  slip();
+  EXPECT_LT(robot.error(), 0.02);
+  EXPECT_LT(robot.yawError(), 0.01);
+}
+
+INSTANTIATE_TEST_SUITE_P(DriftCorrection, DriftCorrectionInVain,
+                         testing::Values(InVain{"Drives", 0.0, kCompared}, InVain{"Turns", kCompared, 0.0},
+                                         InVain{"DrivesInABend", 0.2, kCompared}),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(DriftCorrection, TrustsTheOdometryAgainOnceTheRobotGetsAway) {
+  DriftingRobot robot(kRoom, {2.0, 1.2, 0.0}, 1.0, 1.0);
+  for (int i = 0; i < 3; ++i) robot.move(0.0, kCompared);
+  for (int i = 0; i < 4; ++i) robot.slip(0.0, kCompared);
+  robot.move(kCompared, 0.0);
+  EXPECT_GT(robot.correction().slip().slipped(), 0.0) << "it only turned, as a recovery does";
+  robot.move(0.0, kCompared);
+  EXPECT_EQ(robot.correction().slip().slipped(), 0.0);
+  EXPECT_LT(robot.error(), 0.02);
+}
+
+TEST(DriftCorrection, LeavesItToTheOdometryHowFarTheRobotGotAlongACorridor) {
+  const GridWorld corridor = test::room(90.0, 2.0);  // its ends are out of sight
+  DriftingRobot robot(corridor, {45.0, 1.0, 0.0}, 1.0, 1.0);
+  for (int i = 0; i < 10; ++i) robot.slip(0.0, kCompared);
+  EXPECT_EQ(robot.correction().slip().slipped(), 0.0);
+  EXPECT_NEAR(robot.error(), 10 * kCompared, 0.1);
 }
 
 }  // namespace

@@ -51,5 +51,31 @@ TEST(DriftCorrectionOnLog, IsRightToAHundredthOfTheWay) {
   EXPECT_LT(std::sqrt(error / all), 0.01 * length);
 }
 
+class DriftCorrectionOnLogs : public testing::TestWithParam<const char*> {};
+
+/// In corridors two scans that are 0.3 m apart look much the same.
+TEST_P(DriftCorrectionOnLogs, NeverTakesARobotThatDrivesForOneThatStands) {
+  const std::string path = realData(GetParam());
+  SKIP_WITHOUT_REAL_DATA(path);
+  DriftCorrection correction;
+  Situation situation;
+  for (const DriveEvent& event : readCarmenLog(path).events) {
+    if (const auto* heard = std::get_if<OdometryHeard>(&event)) {
+      situation.pose = heard->pose;
+    } else if (const auto* seen = std::get_if<ScanHeard>(&event)) {
+      const Pose2 odometry = situation.pose;
+      perceive(seen->scan, seen->mount, carmenLogRules(), 6.0, &situation);
+      situation.pose = odometry;
+      correction.correct(&situation);
+      situation.pose = odometry;
+      ASSERT_EQ(correction.slip().slipped(), 0.0) << "at (" << odometry.x << ", " << odometry.y << ")";
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(RealData, DriftCorrectionOnLogs,
+                         testing::Values("logs/flirtlib_intel-lab.log.gz", "logs/ple_aces-corrected.log.gz",
+                                         "logs/ple_intel-corrected.log.gz"));
+
 }  // namespace
 }  // namespace lstm_planner::test_drift_correction_on_log

@@ -79,5 +79,17 @@ TEST(ScanSurfaces, AreFoundNearAPointOnly) {
   EXPECT_EQ(surfaces.nearest({-2.9, 0.0}, 0.2), nullptr) << "behind, where the scanner sees nothing";
 }
 
+TEST(ScanSurfaces, LieUnderPiecesThatFaceTheSameWay) {
+  const GridWorld world = test::room(6.0, 4.0);
+  ScanSurfaces surfaces;
+  surfaces.show(test::RoomScanner(world).seenFrom(kMiddle).profile);
+  const double wall = 3.0 - test::kWall;
+  const SurfacePiece* under = surfaces.under({{wall - 0.08, 0.0}, {-1.0, 0.0}}, 0.1);
+  ASSERT_NE(under, nullptr);
+  EXPECT_NEAR(under->off({wall - 0.08, 0.0}), 0.08, 0.01);
+  EXPECT_EQ(surfaces.under({{wall - 0.12, 0.0}, {-1.0, 0.0}}, 0.1), nullptr) << "0.12 m before the wall";
+  EXPECT_EQ(surfaces.under({{wall, 0.0}, {1.0, 0.0}}, 0.1), nullptr) << "the back of a wall";
+}
+
 }  // namespace
 }  // namespace lstm_planner::test_scan_surfaces
