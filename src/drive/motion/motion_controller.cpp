@@ -27,7 +27,7 @@ constexpr double kStart = 0.1;
 /// m/s, from which the robot speeds up.
 double reached(const Twist2& measured, const MotionHistory& history) {
   const double told = history.commanded.empty() ? 0.0 : history.commanded.back().linear;
-  return std::max({0.0, measured.linear, std::min(told, kStart)});
+  return std::max({0.0, measured.linear, std::min(told, kStart)}) + history.short_by;
 }
 
 // Of a robot with corners.

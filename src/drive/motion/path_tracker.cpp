@@ -54,6 +54,8 @@ MotionCommand PathTracker::compute(const MotionSituation& now, const Situation& 
   if (!command.goes_back) way_out_.clear();
   history_.note(command, controller_.reactionTime(), now.period);
   reaction_.note(now.current.angular, command.angular, now.period, limits.reaction_time);
+  shortfall_.note(now.current.linear, command.linear, now.period, limits.linear_acceleration * now.period);
+  history_.short_by = shortfall_.shortBy();
   return command;
 }
 
@@ -90,6 +92,7 @@ void PathTracker::forget() {
   wedged_at_.reset();
   patience_.clear();
   reaction_.forget();
+  shortfall_ = {};
   history_ = {};
 }
 

@@ -141,6 +141,7 @@ struct MotionHistory {
   std::vector<Twist2> commanded = {};  ///< newest last, a period apart; they may not have reached the wheels
   bool has_stood = false;              ///< for so long that two thirds of the safety margin must do
   bool gets_out = false;               ///< `back` is of a planned way out, which it is to follow
+  double short_by = 0.0;               ///< m/s that the base is to be told more (ShortfallWatch)
 
   /// Adds a command. Keeps those that may not have reached the wheels yet, which takes up to `time` s. `period`: as in
   /// MotionSituation.

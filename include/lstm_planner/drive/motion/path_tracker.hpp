@@ -7,6 +7,7 @@
 #include "lstm_planner/drive/motion/motion_controller.hpp"
 #include "lstm_planner/drive/motion/patience.hpp"
 #include "lstm_planner/drive/motion/reaction_watch.hpp"
+#include "lstm_planner/drive/motion/shortfall_watch.hpp"
 #include "lstm_planner/drive/motion/trail.hpp"
 #include "lstm_planner/drive/perception/moving_surroundings.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
@@ -62,6 +63,7 @@ class PathTracker {
   Patience patience_;
   MovingSurroundings moving_;
   ReactionWatch reaction_;
+  ShortfallWatch shortfall_;
 };
 
 }  // namespace lstm_planner

@@ -128,6 +128,40 @@ TEST(PathTracker, StartsABaseWhoseMotorsStandStillBelow8CentimetresASecond) {
   }
 }
 
+struct WeakBase {
+  const char* name;
+  double share;  // of the commanded speed that it drives
+  double lacks;  // m/s that it is slower
+  double dead;   // m/s; it stands still at less
+};
+
+class PathTrackerOnAWeakBase : public testing::TestWithParam<WeakBase> {};
+
+/// A tracker that speeds up from what it measures alone would command 0.03 m/s more than that at 20 Hz: it would get
+/// 0.12 m/s of a base that drives 0.8 of what it is told, and 0.01 m/s of one that lacks 0.02 m/s. A base at full speed
+/// would drive 10 s times share times max_linear = 0.3 m/s; 3 s of these are for the start and for noticing.
+TEST_P(PathTrackerOnAWeakBase, GetsNearlyTheSpeedThatTheBaseHas) {
+  constexpr double kFast = 0.05;  // s
+  PathTracker tracker(MotionParameters{});
+  const Shield shield(Footprint(0.174), 0.03, 4.0);
+  Situation situation;
+  Twist2 measured;
+  const std::vector<Pose2> plan = test::planAlong({{0.0, 0.0}, {9.0, 0.0}});
+  for (; situation.time < 10.0; situation.time += kFast) {
+    const double told = tracker.compute({plan, situation.pose, measured, shield, kFast}, situation).linear;
+    EXPECT_LE(told, MotionParameters().max_linear);
+    measured.linear = told < GetParam().dead ? 0.0 : std::max(0.0, GetParam().share * told - GetParam().lacks);
+    situation.pose.x += measured.linear * kFast;
+  }
+  const double full_speed = GetParam().share * MotionParameters().max_linear - GetParam().lacks;
+  EXPECT_GT(situation.pose.x, 7.0 * full_speed);
+}
+
+INSTANTIATE_TEST_SUITE_P(PathTracker, PathTrackerOnAWeakBase,
+                         testing::Values(WeakBase{"Scales", 0.8, 0.0, 0.0}, WeakBase{"ScalesMuch", 0.6, 0.0, 0.0},
+                                         WeakBase{"IsSlower", 1.0, 0.05, 0.0}, WeakBase{"StartsLate", 1.0, 0.0, 0.2}),
+                         [](const auto& info) { return info.param.name; });
+
 TEST(Patience, BeginsAnewFourTimesWhileTheRobotGoesBack) {
   Patience patience;
   Situation situation;
