@@ -7,6 +7,7 @@
 
 #include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/drive/perception/deskew.hpp"
+#include "lstm_planner/drive/perception/odometry_jump.hpp"
 #include "lstm_planner/drive/perception/reach.hpp"
 
 namespace lstm_planner {
@@ -14,6 +15,7 @@ namespace lstm_planner {
 namespace {
 
 constexpr double kLongestInterpolation = 0.5;   // s between the two odometry messages around a scan
+constexpr double kClockSet = 1.0;               // s that a robot may drive until a clock that was set back goes on
 constexpr std::size_t kMostWaitingScans = 200;  // five seconds at 40 Hz
 
 ScanGeometry geometryOf(const ScanHeard& heard) {
@@ -102,7 +104,8 @@ void DriveRecorder::endEpisode(EpisodeEnd end) {
   in_episode_ = false;
   const bool is_done = end == EpisodeEnd::kArrived || end == EpisodeEnd::kAborted;
   // Its coordinates are another place from then on, but who drives goes to the one that was meant.
-  if (is_done || (end == EpisodeEnd::kOdometryJump && isGoalInOdometry())) goal_.reset();
+  const bool is_elsewhere = end == EpisodeEnd::kOdometryJump && !is_goal_newest_ && isGoalInOdometry();
+  if (is_done || is_elsewhere) goal_.reset();
 }
 
 bool DriveRecorder::isGoalInOdometry() const {
@@ -112,13 +115,16 @@ bool DriveRecorder::isGoalInOdometry() const {
 
 void DriveRecorder::work(const OdometryHeard& odometry) {
   const double before = history_.empty() ? odometry.stamp : history_.newest().stamp;
+  const double elapsed = odometry.stamp - before;
+  const double driven = elapsed < 0.0 ? kClockSet : elapsed;
+  const bool is_elsewhere =
+      !history_.empty() && isOdometryJump(history_.newest().pose, odometry.pose, driven, parameters_.max_speed);
   const long jumps = history_.jumps();
   history_.add(odometry);
   const bool has_jumped = history_.jumps() != jumps;
-  const double elapsed = odometry.stamp - before;
   if (has_jumped) {
-    // Stamps that go back count as a jump, too: then the clock was set, and the odometry goes on.
-    endEpisode(elapsed < 0.0 ? EpisodeEnd::kTimeJump : EpisodeEnd::kOdometryJump);
+    // Stamps that go back count as a jump, too: then the clock was set, and the odometry may go on.
+    endEpisode(is_elsewhere ? EpisodeEnd::kOdometryJump : EpisodeEnd::kTimeJump);
     observer_.forget();
   } else if (elapsed > parameters_.max_gap) {
     endEpisode(EpisodeEnd::kTimeJump);
@@ -139,9 +145,11 @@ void DriveRecorder::work(const OdometryHeard& odometry) {
     }
   }
   if (in_episode_ && isAt(goal_position_, odometry.pose)) endEpisode(EpisodeEnd::kArrived);
+  is_goal_newest_ = false;
 }
 
 void DriveRecorder::work(const GoalHeard& goal) {
+  is_goal_newest_ = true;
   if (goal_ && sameGoal(*goal_, goal.goal)) return;
   endEpisode(EpisodeEnd::kNewGoal);
   goal_ = goal.goal;

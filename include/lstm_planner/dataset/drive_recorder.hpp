@@ -46,7 +46,7 @@ class DriveRecorder {
   bool paused() const { return paused_; }
 
   /// Ends the running episode, if there is one, for this reason. The goal goes with it where it was reached or given
-  /// up, and a goal in the odometry frame where the odometry jumped.
+  /// up, and a goal in the odometry frame where the odometry jumped, unless it was given since the odometry before.
   void endEpisode(EpisodeEnd end);
 
   /// The goal that is being driven to, in its frame; empty if there is none.
@@ -89,7 +89,8 @@ class DriveRecorder {
 
   std::optional<GoalInFrame> goal_;
   std::string goal_source_;
-  Point2 goal_position_;  ///< odometry frame, at the last sample
+  bool is_goal_newest_ = false;  ///< given, perhaps again, since the last odometry
+  Point2 goal_position_;         ///< odometry frame, at the last sample
   bool in_episode_ = false;
   bool paused_ = false;
   std::optional<DriveStep> step_;  ///< not labelled yet

@@ -1,7 +1,8 @@
 #include "lstm_planner/drive/perception/odometry_history.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "lstm_planner/drive/perception/odometry_jump.hpp"
 
 namespace lstm_planner {
 
@@ -12,10 +13,6 @@ constexpr std::size_t kMostKept = 2000;  // entries: where stamps hardly go on, 
 constexpr double kContinued = 0.2;       // s
 constexpr double kOvertaken = 0.5;       // s by which a stamp is too early: a clock set right, an EKF that smooths
 constexpr double kSpeedOver = 0.05;      // s, at least, from which a speed is taken
-constexpr double kLongestDrive = 1.0;    // s that a robot drives without odometry: then its controller stops it
-constexpr double kJumpSlack = 0.25;      // m, what rounding and late stamps may add
-constexpr double kMaxTurnRate = 6.0;     // rad/s
-constexpr double kTurnJumpSlack = 0.5;   // rad
 
 Pose2 between(const OdometryHistory::Entry& a, const OdometryHistory::Entry& b, double stamp) {
   const double share = (stamp - a.stamp) / (b.stamp - a.stamp);
@@ -51,13 +48,8 @@ bool OdometryHistory::isOvertaken(const Entry& entry) const {
 }
 
 bool OdometryHistory::follows(const Entry& entry) const {
-  if (entry.stamp < newest().stamp) {
-    return false;
-  }
-  const double elapsed = std::min(entry.stamp - newest().stamp, kLongestDrive);
-  const double turned = std::abs(normalizeAngle(entry.pose.yaw - newest().pose.yaw));
-  return distanceBetween(newest().pose, entry.pose) <= max_speed_ * elapsed + kJumpSlack &&
-         turned <= kMaxTurnRate * elapsed + kTurnJumpSlack;
+  const double elapsed = entry.stamp - newest().stamp;
+  return elapsed >= 0.0 && !isOdometryJump(newest().pose, entry.pose, elapsed, max_speed_);
 }
 
 Pose2 OdometryHistory::poseAt(double stamp) const {

@@ -74,10 +74,12 @@ class DrivenRobot {
 
 class DriveRecorderTest : public testing::Test {
  protected:
-  void record(const std::vector<DriveEvent>& events) {
+  /// The goal at the end.
+  std::optional<GoalInFrame> record(const std::vector<DriveEvent>& events) {
     DriveRecorder recorder(parameters_, &steps_, odometryFrameOnly);
     for (const DriveEvent& event : events) recorder.add(event);
     recorder.finish();
+    return recorder.goal();
   }
 
   RecorderParameters parameters_;
@@ -296,6 +298,33 @@ TEST_F(DriveRecorderTest, AJumpOfTheClockEndsTheEpisodeInEitherDirection) {
     EXPECT_EQ(steps_.episodes()[0].steps.size(), 4u) << jump;
     // Looks at the first odometry after the jump, 0.1 s later, and at four half seconds of the new time.
     EXPECT_EQ(steps_.episodes()[1].steps.size(), 4u) << jump;
+  }
+}
+
+TEST_F(DriveRecorderTest, AClockSetBackEndsAGoalInOdometryOnlyWhereTheOdometryJumpsToo) {
+  for (const bool jumps : {false, true}) {
+    DrivenRobot robot;
+    robot.events.push_back(goalAt(robot.time(), 20.0, 0.0));
+    robot.drive(2.0, {0.3, 0.0});
+    robot.wait(-100.0);
+    if (jumps) robot.jump({5.0, 5.0, 0.0});
+    robot.drive(2.0, {0.3, 0.0});
+    EXPECT_EQ(record(robot.events).has_value(), !jumps);
+  }
+}
+
+TEST_F(DriveRecorderTest, AGoalThatComesBeforeTheFirstOdometryOfTheNextDriveIsThatDrives) {
+  for (const double wait : {-100.0, 100.0}) {
+    steps_ = {};
+    DrivenRobot robot;
+    robot.events.push_back(goalAt(robot.time(), 20.0, 0.0));
+    robot.drive(2.0, {0.3, 0.0});
+    robot.wait(wait);
+    robot.jump({5.0, 5.0, 0.0});
+    robot.events.push_back(goalAt(robot.time(), 20.0, 0.0));
+    robot.drive(2.0, {0.3, 0.0});
+    EXPECT_TRUE(record(robot.events).has_value()) << wait;
+    EXPECT_EQ(steps_.episodes().size(), 2u) << wait;
   }
 }
 
