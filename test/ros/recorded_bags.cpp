@@ -426,6 +426,34 @@ TEST(RecordedBagTest, MessagesWithoutAFrameAreRefusedWhereItIsNeeded) {
   EXPECT_GT(recorded(odometry, options).steps(), 0);
 }
 
+/// With the first ten seconds of another run at the same times, 4 m away.
+std::string withSecondRun(const std::string& name) {
+  const std::string path = written(name);
+  rosbag::Bag first(written("one_run.bag"));
+  rosbag::Bag both(path, rosbag::bagmode::Append);
+  rosbag::View view(first, rosbag::TopicQuery("/odom"));
+  for (const rosbag::MessageInstance& message : view) {
+    nav_msgs::Odometry odometry = *message.instantiate<nav_msgs::Odometry>();
+    if (odometry.header.stamp > ros::Time(DriveBag::kStart + 10.0)) continue;
+    odometry.header.stamp += ros::Duration(0.02);
+    odometry.pose.pose.position.y -= 4.0;
+    both.write("/odom", message.getTime(), odometry);
+  }
+  return path;
+}
+
+TEST(RecordedBagTest, TwoRunsWithTheSameTimesAreRefusedInASentence) {
+  const std::string path = withSecondRun("two_runs.bag");
+  BagDriveOptions options;
+  for (const bool hindsight : {false, true}) {
+    options.hindsight = hindsight;
+    EXPECT_EQ(refusalOf(path, options),
+              "has two runs with the same times: its odometry jumps to and fro between two paths from 1000.100 s to "
+              "1010.100 s. The clock was set back while it was recorded, as when a simulator starts again: record one "
+              "bag a run");
+  }
+}
+
 TEST(RecordedBagTest, FilesThatAreNoBagsAreRefusedInASentence) {
   EXPECT_EQ(refusalOf(pathOf("none.bag")).find("cannot be read: "), 0u);
   EXPECT_EQ(refusalOf(testing::TempDir()).find("cannot be read: "), 0u) << refusalOf(testing::TempDir());

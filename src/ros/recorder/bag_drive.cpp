@@ -30,6 +30,7 @@
 #include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/common/words.hpp"
 #include "lstm_planner/dataset/drive_events.hpp"
+#include "lstm_planner/dataset/mixed_runs.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "lstm_planner/ros/recorder/drive_messages.hpp"
 #include "ros/recorder/bag_message.hpp"
@@ -374,6 +375,15 @@ void checkContent(const BagDriveResult& result, const BagDriveOptions& options) 
   }
 }
 
+void checkIsOneRun(const std::vector<OdometryHeard>& path, double max_speed) {
+  const auto mixed = mixedRuns(path, max_speed);
+  if (!mixed) return;
+  throw std::invalid_argument(
+      "has two runs with the same times: its odometry jumps to and fro between two paths from " +
+      fixedText(mixed->first, 3) + " s to " + fixedText(mixed->second, 3) +
+      " s. The clock was set back while it was recorded, as when a simulator starts again: record one bag a run");
+}
+
 BagDriveResult record(const OpenBags& bags, const BagDriveOptions& options, const RecorderParameters& parameters,
                       StepSink* sink) {
   BagPlayer player(bags, options, parameters.max_gap);
@@ -387,11 +397,13 @@ BagDriveResult record(const OpenBags& bags, const BagDriveOptions& options, cons
   result.static_transforms = player.topics().static_transforms;
   result.goal_topics = player.topics().goals;
   checkContent(result, options);
+  const std::vector<OdometryHeard> path = survey.takePath();
+  checkIsOneRun(path, parameters.max_speed);
   if (!options.mount) survey.requireMount(all_transforms);
 
   std::vector<DriveEvent> goals;
   if (options.hindsight) {
-    goals = hindsightGoals(survey.takePath(), options.hindsight_parameters, parameters, result.odometry_frame);
+    goals = hindsightGoals(path, options.hindsight_parameters, parameters, result.odometry_frame);
     result.goals = std::count_if(goals.begin(), goals.end(),
                                  [](const DriveEvent& event) { return std::holds_alternative<GoalHeard>(event); });
   }

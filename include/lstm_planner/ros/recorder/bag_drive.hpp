@@ -66,8 +66,8 @@ std::vector<BagParts> bagRecordings(const std::vector<std::string>& paths, doubl
 /// hindsight are found in what the recorder would hear of the odometry: see hindsightGoals().
 ///
 /// Throws std::invalid_argument, naming the bags and what was expected, when one cannot be read, or they have no scans,
-/// no odometry, several topics to choose from, no goals, or neither options nor transforms say where the scanner sits;
-/// `sink` has not been told anything then.
+/// no odometry, several topics to choose from, no goals, two runs with the same times (mixedRuns()), or neither options
+/// nor transforms say where the scanner sits; `sink` has not been told anything then.
 BagDriveResult recordBags(const BagParts& parts, const BagDriveOptions& options, const RecorderParameters& parameters,
                           StepSink* sink);
 
