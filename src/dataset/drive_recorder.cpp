@@ -126,6 +126,7 @@ void DriveRecorder::work(const OdometryHeard& odometry) {
     // Stamps that go back count as a jump, too: then the clock was set, and the odometry may go on.
     endEpisode(is_elsewhere ? EpisodeEnd::kOdometryJump : EpisodeEnd::kTimeJump);
     observer_.forget();
+    silence_.noteJump(odometry.stamp, odometry.pose);
   } else if (elapsed > parameters_.max_gap) {
     endEpisode(EpisodeEnd::kTimeJump);
   }

@@ -21,7 +21,18 @@ constexpr double kMostlySilent = 0.5;  // of the beams
 bool SilenceWatch::isComparable(double time, const Pose2& pose) const {
   const double apart = time - time_;
   if (apart >= 0.0 && apart <= std::max(kMostApart, kMostPeriods * period_.period())) return true;
+  return isNear(pose);
+}
+
+bool SilenceWatch::isNear(const Pose2& pose) const {
   return distanceBetween(pose, pose_) <= kHardlyMoved && turnBetween(pose, pose_) <= kHardlyTurned;
+}
+
+void SilenceWatch::noteJump(double time, const Pose2& pose) {
+  jump_ = time;
+  if (isNear(pose)) return;
+  share_ = 0.0;
+  is_covered_ = false;
 }
 
 void SilenceWatch::show(const LaserScan& scan, const ScanRules& rules, double time, const Pose2& pose) {
@@ -31,7 +42,8 @@ void SilenceWatch::show(const LaserScan& scan, const ScanRules& rules, double ti
   const BeamSum returns = sumOfBeams(profile.ranges.data(), profile.ranges.size(), 1.0);
   const auto beams = static_cast<double>(scan.ranges.size());
   if (returns.measured > 0) {
-    share_ = returns.measured / beams;
+    // A scan of before the jump may come after it, and says nothing of what the next one must see.
+    share_ = time < jump_ ? 0.0 : returns.measured / beams;
     is_covered_ = false;
   } else if (!is_covered_) {
     is_covered_ = share_ >= kMuch && returns.known >= kMostlySilent * beams && isComparable(time, pose);

@@ -84,6 +84,7 @@ void SensorListener::onOdometry(const ros::MessageEvent<nav_msgs::Odometry const
   odometry_stamp_ = stampOr(odometry->header.stamp, odometry_received_);
   odometry_period_.note(odometry_stamp_.toSec());
   const geometry_msgs::Twist& twist = odometry->twist.twist;
+  const long jumps = history_.jumps();
   const bool base_moved = odometry_base_.setFrame(robotFrameOf(*odometry));
   const OdometryHistory::Entry entry{odometry_stamp_.toSec(), odometry_base_.poseOf(fromMessage(odometry->pose.pose)),
                                      odometry_base_.twistOf({twist.linear.x, twist.angular.z}, twist.linear.y)};
@@ -94,6 +95,10 @@ void SensorListener::onOdometry(const ros::MessageEvent<nav_msgs::Odometry const
   }
   if (odometry_is_finite_) {
     history_.add(entry);
+  }
+  if (history_.jumps() != jumps) {
+    first_.watch.noteJump(entry.stamp, entry.pose);
+    if (second_) second_->watch.noteJump(entry.stamp, entry.pose);
   }
   sayContradictions(*odometry);
   sayTwoPublishers(odometry_topic_, event.getPublisherName(), odometry_received_.toSec(), &odometry_publishers_);

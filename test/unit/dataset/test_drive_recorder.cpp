@@ -473,6 +473,25 @@ TEST_F(DriveRecorderTest, NothingIsRecordedWhileTheScannerIsCovered) {
   }
 }
 
+TEST_F(DriveRecorderTest, ARobotThatIsPutIntoAnOpenFieldIsRecordedThere) {
+  DrivenRobot robot;
+  robot.drive(1.0, {0.3, 0.0});
+  robot.jump({50.0, 0.0, 0.0});
+  robot.events.push_back(goalAt(robot.time() + 0.5, 60.0, 0.0));
+  robot.drive(2.0, {0.3, 0.0});
+  for (DriveEvent& event : robot.events) {
+    auto* scan = std::get_if<ScanHeard>(&event);
+    if (scan != nullptr && scan->stamp > 101.0) {
+      std::fill(scan->scan.ranges.begin(), scan->scan.ranges.end(), std::nanf(""));
+    }
+  }
+  parameters_.scan_rules = urgNodeRules();
+  record(robot.events);
+  EXPECT_EQ(steps_.rejected(Rejection::kUnusableScan), 0);
+  ASSERT_EQ(steps_.episodes().size(), 1u);
+  EXPECT_GE(steps_.episodes()[0].steps.size(), 2u);
+}
+
 TEST_F(DriveRecorderTest, ScansThatAreMissingForLongEndTheEpisode) {
   for (const double silence : {1.8, 5.0}) {
     steps_ = {};

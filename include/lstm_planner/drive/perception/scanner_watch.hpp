@@ -22,6 +22,9 @@ class ScannerWatch {
   /// A scan has come, at `received` (s). `stamp`: its time, s. `pose`: the robot's, newest, by odometry.
   void hear(const LaserScan& scan, const ScanRules& rules, double stamp, double received, const Pose2& pose);
 
+  /// The odometry has jumped: as SilenceWatch::noteJump().
+  void noteJump(double time, const Pose2& pose) { silence_.noteJump(time, pose); }
+
   /// Throws SensorError, which names the topic, unless the newest scan may be used at `now` (s).
   void check(double now) const;
 

@@ -18,16 +18,23 @@ class SilenceWatch {
   /// if the robot has moved by less than 0.5 m and turned by less than 0.6 rad: what it saw must then still be there.
   void show(const LaserScan& scan, const ScanRules& rules, double time, const Pose2& pose);
 
+  /// The odometry has jumped to `pose`, at `time` (its stamp, s). Unless that is near the last scan's, by the limits
+  /// above, the robot was put elsewhere, as by a simulator, and may see nothing there: what it saw is forgotten, as at
+  /// the start.
+  void noteJump(double time, const Pose2& pose);
+
   bool isCovered() const { return is_covered_; }
   /// Of the beams of the scan before the cover, how many had a return.
   double shareBefore() const { return share_; }
 
  private:
   bool isComparable(double time, const Pose2& pose) const;
+  bool isNear(const Pose2& pose) const;
 
   double share_ = 0.0;  ///< of the beams with a return, in the last scan that had one
   double time_ = 0.0;   ///< s, of the last scan
   Pose2 pose_;          ///< at the last scan
+  double jump_ = 0.0;   ///< s, of the last jump of the odometry
   PeriodMeter period_;
   bool is_covered_ = false;
 };

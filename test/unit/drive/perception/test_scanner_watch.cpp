@@ -12,10 +12,20 @@ namespace {
 
 class ScannerWatchTest : public ::testing::Test {
  protected:
-  void hear(double time, float range = 2.0f) { watch_.hear(makeHokuyoScan(range), urgNodeRules(), time, time, {}); }
+  void hear(double time, float range = 2.0f) { hear(time, time, range); }
+  void hear(double stamp, double received, float range) {
+    watch_.hear(makeHokuyoScan(range), urgNodeRules(), stamp, received, pose_);
+  }
+  /// The odometry has.
+  void jump(double time, const Pose2& pose) {
+    pose_ = pose;
+    watch_.noteJump(time, pose);
+  }
   std::string refusal(double now) const {
     return test::refusalOf<SensorError>([&] { watch_.check(now); });
   }
+  const float nothing_ = std::numeric_limits<float>::quiet_NaN();
+  Pose2 pose_;
   ScannerWatch watch_{"/rear/scan", 0.0, 0.2};
 };
 
@@ -34,8 +44,36 @@ TEST_F(ScannerWatchTest, OneThatFallsSilentIsNamedAfterThreeOfItsOwnPeriods) {
 
 TEST_F(ScannerWatchTest, OneThatIsCoveredIsNamed) {
   hear(100.0);
-  hear(100.1, std::numeric_limits<float>::quiet_NaN());
+  hear(100.1, nothing_);
   EXPECT_EQ(refusal(100.1).rfind("the scanner counts as covered: on /rear/scan no beam", 0), 0u) << refusal(100.1);
+}
+
+TEST_F(ScannerWatchTest, ARobotThatIsPutElsewhereMayStandInAnOpenField) {
+  const Pose2 elsewhere{5.0, 0.0, 0.0};
+  hear(100.0);
+  jump(100.19, elsewhere);
+  hear(100.2, nothing_);
+  EXPECT_EQ(refusal(100.2), "");
+  hear(100.4);
+  hear(100.6, nothing_);
+  jump(100.61, {});
+  EXPECT_EQ(refusal(100.6), "") << "the scan came before the odometry";
+  hear(100.8);
+  jump(100.9, elsewhere);
+  hear(100.85, 100.95, 2.0f);
+  hear(101.0, nothing_);
+  EXPECT_EQ(refusal(101.0), "") << "a scan of before came after the odometry";
+}
+
+TEST_F(ScannerWatchTest, OneThatIsCoveredCountsAsCoveredWhenTheClockIsSetBack) {
+  hear(100.0);
+  hear(100.1, nothing_);
+  jump(50.0, {0.1, 0.0, 0.0});
+  hear(50.1, nothing_);
+  EXPECT_NE(refusal(50.1), "");
+  hear(50.2);
+  hear(50.3, nothing_);
+  EXPECT_NE(refusal(50.3), "");
 }
 
 }  // namespace
