@@ -13,13 +13,17 @@ std::string ageProblem(double age, double timeout, const std::string& parameter)
   return "";
 }
 
-void checkAge(double age, double silence, double timeout, const std::string& topic, const std::string& parameter) {
-  std::string problem = ageProblem(age, timeout, parameter);
-  if (problem.empty()) return;
-  if (age > timeout && silence <= timeout) {
-    problem += ", although it has just come: the network is slow, or the clocks differ (NTP)";
+std::string messageProblem(double age, double silence, double timeout, const std::string& topic,
+                           const std::string& parameter) {
+  const std::string problem = ageProblem(age, timeout, parameter);
+  if (problem.empty()) return "";
+  if (silence < -timeout) {
+    return "the clock was set back by at least " + fixedText(-silence, 3) + " s since the newest message on " + topic +
+           " came: there is no new one yet";
   }
-  throw SensorError("the newest message on " + topic + " is " + problem);
+  const bool has_just_come = age > timeout && silence <= timeout;
+  return "the newest message on " + topic + " is " + problem +
+         (has_just_come ? ", although it has just come: the network is slow, or the clocks differ (NTP)" : "");
 }
 
 }  // namespace lstm_planner

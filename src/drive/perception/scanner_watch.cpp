@@ -15,12 +15,16 @@ void ScannerWatch::hear(const LaserScan& scan, const ScanRules& rules, double st
 
 void ScannerWatch::check(double now) const {
   if (!is_heard_) throw SensorError("no scan has been received on " + topic_);
-  checkAge(now - stamp_, now - received_, timeout(), topic_, "scan_timeout");
+  if (const std::string problem = ageProblem(now); !problem.empty()) throw SensorError(problem);
   if (silence_.isCovered()) {
     throw SensorError("the scanner counts as covered: on " + topic_ +
                       " no beam has had a return since a scan in which " +
                       std::to_string(std::lround(100.0 * silence_.shareBefore())) + " % of them had one");
   }
+}
+
+std::string ScannerWatch::ageProblem(double now) const {
+  return messageProblem(now - stamp_, now - received_, timeout(), topic_, "scan_timeout");
 }
 
 double ScannerWatch::timeout() const { return timeoutFor(set_timeout_, period_.period(), least_timeout_); }

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <exception>
 
-#include "lstm_planner/drive/perception/message_age.hpp"
 #include "ros/common/timing.hpp"
 
 namespace lstm_planner {
@@ -14,21 +13,19 @@ namespace {
 constexpr std::chrono::milliseconds kStatusPeriod(200);
 const ros::WallDuration kDiagnosticsPeriod(1.0);
 
-/// How often and how old. `timeout_parameter`: the name of the parameter that limits the age.
-void describe(const SensorHealth& sensor, const std::string& timeout_parameter,
-              diagnostic_updater::DiagnosticStatusWrapper* status) {
+/// How often and how old.
+void describe(const SensorHealth& sensor, diagnostic_updater::DiagnosticStatusWrapper* status) {
   using diagnostic_msgs::DiagnosticStatus;
   if (!sensor.is_heard) {
     status->summary(DiagnosticStatus::ERROR, "nothing has been received on " + sensor.topic);
     return;
   }
-  const std::string problem = ageProblem(sensor.age, sensor.timeout, timeout_parameter);
-  if (problem.empty() && sensor.contradicts_itself) {
+  if (sensor.problem.empty() && sensor.contradicts_itself) {
     status->summary(DiagnosticStatus::WARN, "messages come in time; their twist contradicts their poses, which count");
-  } else if (problem.empty()) {
+  } else if (sensor.problem.empty()) {
     status->summary(DiagnosticStatus::OK, "messages come in time");
   } else {
-    status->summary(DiagnosticStatus::ERROR, "the newest message on " + sensor.topic + " is " + problem);
+    status->summary(DiagnosticStatus::ERROR, sensor.problem);
   }
   status->add("topic", sensor.topic);
   status->add("age (s)", sensor.age);
@@ -68,15 +65,15 @@ void PluginDiagnostics::add(const std::string& what, const Report& report) {
 
 void PluginDiagnostics::addSensors(const std::function<SensorListener*()>& sensors) {
   add("scan", [sensors](Status& status) {
-    if (sensors() != nullptr) describe(sensors()->scanHealth(ros::Time::now()), "scan_timeout", &status);
+    if (sensors() != nullptr) describe(sensors()->scanHealth(ros::Time::now()), &status);
   });
   if (sensors() != nullptr && sensors()->hasSecondScanner()) {
     add("second scan", [sensors](Status& status) {
-      describe(sensors()->secondScanHealth(ros::Time::now()), "scan_timeout", &status);
+      describe(sensors()->secondScanHealth(ros::Time::now()), &status);
     });
   }
   add("odometry", [sensors](Status& status) {
-    if (sensors() != nullptr) describe(sensors()->odometryHealth(ros::Time::now()), "odom_timeout", &status);
+    if (sensors() != nullptr) describe(sensors()->odometryHealth(ros::Time::now()), &status);
   });
 }
 

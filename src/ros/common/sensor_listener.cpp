@@ -196,19 +196,34 @@ SensorHealth SensorListener::healthOf(const Scanner& scanner, const ros::Time& n
   messages_.handOut();
   const std::lock_guard<std::mutex> lock(mutex_);
   const ScannerWatch& watch = scanner.watch;
-  return {watch.topic(), now.toSec() - watch.stamp(), watch.period(), watch.timeout(), watch.isHeard(), false};
+  return {watch.topic(),
+          now.toSec() - watch.stamp(),
+          watch.period(),
+          watch.timeout(),
+          watch.ageProblem(now.toSec()),
+          watch.isHeard(),
+          false};
 }
 
 SensorHealth SensorListener::odometryHealth(const ros::Time& now) {
   messages_.handOut();
   const std::lock_guard<std::mutex> lock(mutex_);
-  return {odometry_topic_,           secondsBetween(odometry_stamp_, now),
-          odometry_period_.period(), odometryTimeout(),
-          !odometry_stamp_.isZero(), history_.twistWatch().contradiction().has_value()};
+  return {odometry_topic_,
+          secondsBetween(odometry_stamp_, now),
+          odometry_period_.period(),
+          odometryTimeout(),
+          odometryProblem(now),
+          !odometry_stamp_.isZero(),
+          history_.twistWatch().contradiction().has_value()};
 }
 
 double SensorListener::odometryTimeout() const {
   return timeoutFor(parameters_.odom_timeout, odometry_period_.period(), parameters_.least_odom_timeout);
+}
+
+std::string SensorListener::odometryProblem(const ros::Time& now) const {
+  return messageProblem(secondsBetween(odometry_stamp_, now), secondsBetween(odometry_received_, now),
+                        odometryTimeout(), odometry_topic_, "odom_timeout");
 }
 
 void SensorListener::checkOdometry(const ros::Time& now) const {
@@ -216,8 +231,7 @@ void SensorListener::checkOdometry(const ros::Time& now) const {
   if (odometry_stamp_.isZero()) {
     throw SensorError("no odometry has been received on " + topic);
   }
-  checkAge(secondsBetween(odometry_stamp_, now), secondsBetween(odometry_received_, now), odometryTimeout(), topic,
-           "odom_timeout");
+  if (const std::string problem = odometryProblem(now); !problem.empty()) throw SensorError(problem);
   if (!odometry_base_.problem().empty()) {
     throw SensorError("the odometry on " + topic + " cannot be used: its child_frame_id " + odometry_base_.problem());
   }

@@ -56,6 +56,7 @@ struct SensorHealth {
   double age = 0.0;     ///< s, of the newest message; negative: stamped in the future
   double period = 0.0;  ///< s, as measured; 0 as long as it is not known
   double timeout = 0.0;
+  std::string problem;              ///< what is wrong with the newest one's age; empty when nothing is
   bool is_heard = false;            ///< something has come
   bool contradicts_itself = false;  ///< an odometry whose twist is not believed
 };
@@ -96,6 +97,7 @@ class SensorListener {
   void onSecondScan(const ScanEvent& event) { hear(event, &*second_); }
   void hear(const ScanEvent& event, Scanner* scanner);
   void onOdometry(const ros::MessageEvent<nav_msgs::Odometry const>& event);
+  std::string odometryProblem(const ros::Time& now) const;
   void checkOdometry(const ros::Time& now) const;
   void sayContradictions(const sensor_msgs::LaserScan& scan, const std::string& topic) const;
   void sayContradictions(const nav_msgs::Odometry& odometry) const;

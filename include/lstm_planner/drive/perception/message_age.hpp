@@ -16,7 +16,9 @@ class SensorError : public std::runtime_error {
 /// too. `parameter`: the name of the parameter that holds the timeout.
 std::string ageProblem(double age, double timeout, const std::string& parameter);
 
-/// Throws SensorError where ageProblem() finds something. `silence`: s since the message was received.
-void checkAge(double age, double silence, double timeout, const std::string& topic, const std::string& parameter);
+/// The same as a sentence about the newest message on `topic`. `silence`: s since it was received, negative where the
+/// clock was set back since.
+std::string messageProblem(double age, double silence, double timeout, const std::string& topic,
+                           const std::string& parameter);
 
 }  // namespace lstm_planner

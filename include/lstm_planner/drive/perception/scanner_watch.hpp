@@ -25,6 +25,8 @@ class ScannerWatch {
   /// The odometry has jumped: as SilenceWatch::noteJump().
   void noteJump(double time, const Pose2& pose) { silence_.noteJump(time, pose); }
 
+  /// What is wrong with the age of the newest scan at `now` (s), as messageProblem().
+  std::string ageProblem(double now) const;
   /// Throws SensorError, which names the topic, unless the newest scan may be used at `now` (s).
   void check(double now) const;
 

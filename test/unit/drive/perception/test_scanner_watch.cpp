@@ -76,5 +76,14 @@ TEST_F(ScannerWatchTest, OneThatIsCoveredCountsAsCoveredWhenTheClockIsSetBack) {
   EXPECT_NE(refusal(50.3), "");
 }
 
+TEST_F(ScannerWatchTest, AClockThatWasSetBackIsToldFromOneThatDiffers) {
+  hear(100.0);
+  EXPECT_EQ(refusal(60.0),
+            "the clock was set back by at least 40.000 s since the newest message on /rear/scan came: there is no new "
+            "one yet");
+  hear(100.0, 60.0, 2.0f);
+  EXPECT_EQ(refusal(60.01).rfind("the newest message on /rear/scan is stamped 39.990 s in the future", 0), 0u);
+}
+
 }  // namespace
 }  // namespace lstm_planner::test_scanner_watch
