@@ -378,11 +378,25 @@ TEST_F(ControllerTest, TellsOfItsSensorsAndThatNobodyAsks) {
                std::atof(DiagnosticsListener::valueOf("rate (Hz)", listener.task("SteeringController scan")).c_str()) -
                20.0) < 0.1;
   }));
-  EXPECT_TRUE(eventually([&] { return listener.latched().message.find("nobody asks for commands") == 0; }));
+  EXPECT_TRUE(eventuallyInTime([&] { return listener.latched().message.find("nobody asks for commands") == 0; }));
   robot_.wait(1.0);
   EXPECT_TRUE(eventually([&] {
     return listener.task("SteeringController odometry").message.find("the newest message on /odom is ") == 0;
   }));
+}
+
+TEST_F(ControllerTest, SaysThatTheClockStandsStill) {
+  DiagnosticsListener listener("SteeringController");
+  const std::string text = "the clock stands still: the simulator or rosbag is paused, or has ended";
+  const auto is_said = [&](const DiagnosticsListener::Status& status) {
+    return status.message == text && status.level == diagnostic_msgs::DiagnosticStatus::WARN;
+  };
+  for (const char* task : {"SteeringController", "SteeringController scan", "SteeringController odometry"}) {
+    EXPECT_TRUE(eventually([&] { return is_said(listener.task(task)); })) << task;
+  }
+  EXPECT_TRUE(is_said(listener.latched()));
+  EXPECT_TRUE(eventuallyInTime([&] { return listener.latched().message.find("nobody asks for commands") == 0; }))
+      << listener.latched().message;
 }
 
 TEST_F(ControllerTest, BadParametersLeaveItStanding) {

@@ -73,6 +73,13 @@ TEST_F(RecorderTest, ARobotThatIsNotThereIsSaidAndLeavesNoFile) {
   EXPECT_FALSE(std::filesystem::exists(file()));
 }
 
+TEST_F(RecorderTest, AClockThatStandsIsSaidWhereNothingComes) {
+  start();
+  const auto is_said = [this] { return contains(value("message"), "the clock stands still: the simulator or rosbag"); };
+  EXPECT_TRUE(eventually(is_said)) << value("message");
+  EXPECT_EQ(count("level"), kWarning);
+}
+
 TEST_F(RecorderTest, TheFileIsReadableWhileItIsRecorded) {
   start();
   giveGoal(goalAt(5.0, 0.0));

@@ -427,11 +427,11 @@ TEST_F(PlannerTest, PlannerThatFailsInATightLoopSaysSoOnce) {
 TEST_F(PlannerTest, TellsInDiagnosticsWhoLeadsAndWithWhichModel) {
   DiagnosticsListener listener("LstmGlobalPlanner");
   auto planner = makePlanner();
-  EXPECT_TRUE(eventually([&] {
+  EXPECT_TRUE(eventuallyInTime([&] {
     plan(planner.get(), stampedPose("odom", kGoal));
     return !DiagnosticsListener::valueOf("step", listener.task("LstmGlobalPlanner")).empty();
   }));
-  EXPECT_TRUE(eventually([&] { return listener.latched().message.find("the network leads: ") == 0; }))
+  EXPECT_TRUE(eventuallyInTime([&] { return listener.latched().message.find("the network leads: ") == 0; }))
       << listener.latched().message;
   std::set<std::string> latched;
   for (const auto& value : listener.latched().values) latched.insert(value.key);
@@ -455,13 +455,13 @@ TEST_F(PlannerTest, HearsTheEndOfADriveFromMoveBaseAndFromMoveBaseFlex) {
     actionlib::TestActionResult result;
     result.status.status = actionlib_msgs::GoalStatus::SUCCEEDED;
     results.publish(result);
-    EXPECT_TRUE(eventually([&] {
+    EXPECT_TRUE(eventuallyInTime([&] {
       return listener.latched().message ==
              "nobody asks for plans: there is no goal; the last drive stopped 0.50 m from the goal";
     })) << topic
         << ": " << listener.latched().message;
     robot_.wait(1000.0);
-    EXPECT_TRUE(eventually([&] {
+    EXPECT_TRUE(eventuallyInTime([&] {
       EXPECT_FALSE(preview(planner.get()));
       return listener.latched().message == "no plan";
     })) << "a new goal, and no scans: "
@@ -472,7 +472,7 @@ TEST_F(PlannerTest, HearsTheEndOfADriveFromMoveBaseAndFromMoveBaseFlex) {
 TEST_F(PlannerTest, APlanThatSomebodyAsksForTellsNothingOfTheDrive) {
   DiagnosticsListener listener("LstmGlobalPlanner");
   auto planner = makePlanner();
-  EXPECT_TRUE(eventually([&] {
+  EXPECT_TRUE(eventuallyInTime([&] {
     EXPECT_TRUE(preview(planner.get()));
     return listener.latched().message == "nobody asks for plans: there is no goal";
   })) << listener.latched().message;
@@ -484,7 +484,7 @@ TEST_F(PlannerTest, AGoalWhoseEndWasNotHeardIsNotSaidToBeNone) {
   auto planner = makePlanner();
   announce(stampedPose("odom", kGoal), planner.get(), &decisions);
   const auto is_unasked = [&] { return listener.latched().message.find("nobody asks for plans") == 0; };
-  EXPECT_TRUE(eventually(is_unasked) || eventually(is_unasked)) << listener.latched().message;
+  EXPECT_TRUE(eventuallyInTime(is_unasked) || eventuallyInTime(is_unasked)) << listener.latched().message;
   EXPECT_EQ(
       listener.latched().message,
       "nobody asks for plans, but no end of the drive was heard: the goal was cancelled or given up, or move_base "
@@ -495,7 +495,7 @@ TEST_F(PlannerTest, TellsInDiagnosticsWhyThereIsNoPlan) {
   DiagnosticsListener listener("LstmGlobalPlanner");
   auto planner = makePlanner();
   const auto expect_why = [&](const std::string& why) {
-    EXPECT_TRUE(eventually([&] {
+    EXPECT_TRUE(eventuallyInTime([&] {
       EXPECT_FALSE(preview(planner.get()));
       return DiagnosticsListener::valueOf("why", listener.latched()).find(why) == 0;
     })) << DiagnosticsListener::valueOf("why", listener.latched());

@@ -12,7 +12,7 @@ import rosgraph
 import rostest
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-from processes import end, eventually, package_file  # noqa: E402
+from processes import end, eventually, free_port, package_file  # noqa: E402
 
 UNKNOWN = "is set, but there is none of that name"
 
@@ -63,6 +63,17 @@ class StandaloneParameters(unittest.TestCase):
         self.addCleanup(master.deleteParam, "/use_sim_time")
         self.start("timeless", {})
         sentence = "there is no time: /use_sim_time is true, but nobody publishes /clock"
+        self.assertTrue(eventually(lambda: sentence in self.said(), 30.0), self.said())
+
+    def test_without_the_time_of_a_simulator_that_is_paused_it_says_so(self):
+        master = rosgraph.Master("/paused_simulator")
+        master.setParam("/use_sim_time", True)
+        self.addCleanup(master.deleteParam, "/use_sim_time")
+        nowhere = "http://localhost:%d/" % free_port()
+        master.registerPublisher("/clock", "rosgraph_msgs/Clock", nowhere)
+        self.addCleanup(master.unregisterPublisher, "/clock", nowhere)
+        self.start("paused", {})
+        sentence = "there is no time: /use_sim_time is true, but nothing comes on /clock"
         self.assertTrue(eventually(lambda: sentence in self.said(), 30.0), self.said())
 
     def test_nobody_is_warned_of_what_the_launch_file_sets(self):

@@ -9,22 +9,27 @@
 
 namespace lstm_planner {
 
-/// Says so when there is no time: with /use_sim_time, which outlives the simulation in a roscore, but without /clock a
-/// node waits for ever. Needs somebody who spins.
+/// Says so when there is no time: with /use_sim_time, which outlives the simulation in a roscore, but without /clock or
+/// with one of a simulator that is paused, a node waits for ever. Needs somebody who spins.
 class ClockWatch {
  public:
-  ClockWatch() : timer_(ros::NodeHandle().createWallTimer(ros::WallDuration(kPeriod), &ClockWatch::look)) {}
+  ClockWatch() : timer_(ros::NodeHandle().createWallTimer(ros::WallDuration(kPeriod), &ClockWatch::look, this)) {}
 
  private:
   static constexpr double kPeriod = 5.0;  // s
+  static constexpr int kPatience = 2;     // looks: who has advertised it may wait for listeners, as bag_replay does
 
-  static void look(const ros::WallTimerEvent& /*event*/) {
+  void look(const ros::WallTimerEvent& /*event*/) {
     // Without a master, the list of topics would be waited for, also by a node that is told to stop.
-    if (!ros::Time::now().isZero() || !ros::master::check() || isPublished(ros::names::resolve("/clock"))) return;
-    ROS_WARN("there is no time: /use_sim_time is true, but nobody publishes /clock. rosparam delete /use_sim_time");
+    if (!ros::Time::now().isZero() || !ros::master::check()) return;
+    if (!isPublished(ros::names::resolve("/clock"))) {
+      ROS_WARN("there is no time: /use_sim_time is true, but nobody publishes /clock. rosparam delete /use_sim_time");
+    } else if (++looks_ >= kPatience) {
+      ROS_WARN(
+          "there is no time: /use_sim_time is true, but nothing comes on /clock. Is the simulator or rosbag paused?");
+    }
   }
 
-  /// Who has advertised it may wait for listeners, as bag_replay does.
   static bool isPublished(const std::string& name) {
     ros::master::V_TopicInfo topics;
     ros::master::getTopics(topics);
@@ -32,6 +37,7 @@ class ClockWatch {
                        [&](const ros::master::TopicInfo& topic) { return topic.name == name; });
   }
 
+  int looks_ = 0;  ///< that found somebody who has advertised the clock
   ros::WallTimer timer_;
 };
 

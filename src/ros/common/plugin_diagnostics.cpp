@@ -39,14 +39,14 @@ PluginDiagnostics::PluginDiagnostics(const std::string& name, std::mutex* mutex,
                                      const Report& figures)
     : name_(name),
       mutex_(*mutex),
-      state_(locked(state)),
+      state_(byTheClock(locked(state))),
       diagnostics_publisher_(ros::NodeHandle().advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1)),
       status_publisher_(ros::NodeHandle("~/" + name).advertise<diagnostic_msgs::DiagnosticStatus>("status", 1, true)) {
   updater_.setHardwareID("none");
-  updater_.add(name_, locked([state, figures](Status& status) {
+  updater_.add(name_, byTheClock(locked([state, figures](Status& status) {
                  state(status);
                  figures(status);
-               }));
+               })));
 }
 
 void PluginDiagnostics::start() {
@@ -64,17 +64,16 @@ void PluginDiagnostics::add(const std::string& what, const Report& report) {
 }
 
 void PluginDiagnostics::addSensors(const std::function<SensorListener*()>& sensors) {
-  add("scan", [sensors](Status& status) {
-    if (sensors() != nullptr) describe(sensors()->scanHealth(ros::Time::now()), &status);
-  });
+  add("scan", byTheClock([sensors](Status& status) {
+        if (sensors() != nullptr) describe(sensors()->scanHealth(ros::Time::now()), &status);
+      }));
   if (sensors() != nullptr && sensors()->hasSecondScanner()) {
-    add("second scan", [sensors](Status& status) {
-      describe(sensors()->secondScanHealth(ros::Time::now()), &status);
-    });
+    add("second scan",
+        byTheClock([sensors](Status& status) { describe(sensors()->secondScanHealth(ros::Time::now()), &status); }));
   }
-  add("odometry", [sensors](Status& status) {
-    if (sensors() != nullptr) describe(sensors()->odometryHealth(ros::Time::now()), &status);
-  });
+  add("odometry", byTheClock([sensors](Status& status) {
+        if (sensors() != nullptr) describe(sensors()->odometryHealth(ros::Time::now()), &status);
+      }));
 }
 
 PluginDiagnostics::Report PluginDiagnostics::locked(const Report& report) {
@@ -84,7 +83,17 @@ PluginDiagnostics::Report PluginDiagnostics::locked(const Report& report) {
   };
 }
 
+PluginDiagnostics::Report PluginDiagnostics::byTheClock(const Report& report) {
+  return [this, report](Status& status) {
+    report(status);
+    if (clock_stands_ && status.level < diagnostic_msgs::DiagnosticStatus::ERROR) {
+      status.summary(diagnostic_msgs::DiagnosticStatus::WARN, StandingClock::kText);
+    }
+  };
+}
+
 void PluginDiagnostics::tell() {
+  clock_stands_ = clock_.stands();
   Status state;
   state.name = name_;
   state_(state);

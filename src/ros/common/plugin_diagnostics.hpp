@@ -11,6 +11,7 @@
 
 #include "ros/common/repeater.hpp"
 #include "ros/common/sensor_listener.hpp"
+#include "ros/common/timing.hpp"
 
 namespace lstm_planner {
 
@@ -37,6 +38,8 @@ class PluginDiagnostics {
 
  private:
   Report locked(const Report& report);
+  /// For one that goes by ROS's clock: says so where that stands still, since nothing grows old then, and nobody asks.
+  Report byTheClock(const Report& report);
   void tell();
 
   std::string name_;
@@ -46,6 +49,8 @@ class PluginDiagnostics {
   ros::Publisher status_publisher_;
   diagnostic_updater::Updater updater_;
   ros::SteadyTime updated_;
+  StandingClock clock_;
+  bool clock_stands_ = false;
   diagnostic_msgs::DiagnosticStatus published_;  ///< last
   std::optional<Repeater> repeater_;             ///< last: it uses what is above
 };

@@ -21,6 +21,7 @@
 #include "lstm_planner/ros/common/transform_listener.hpp"
 #include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
 #include "ros/common/node_main.hpp"
+#include "ros/common/timing.hpp"
 #include "ros/recorder/dataset_recorder_file.hpp"
 #include "ros/recorder/dataset_recorder_markers.hpp"
 #include "ros/recorder/dataset_recorder_status.hpp"
@@ -127,6 +128,7 @@ class DatasetRecorder {
   RecordingStatus status_;          ///< what is counted, and what stays as it is
   ros::SteadyTime last_scan_;       ///< zero before the first
   ros::SteadyTime last_odometry_;   ///< zero before the first
+  StandingClock clock_;             ///< ROS's
   ros::Time odometry_stamp_;        ///< of the newest
   ros::Time goal_stamp_;            ///< of the newest odometry when the newest goal was heard
   std::deque<Snapshot> snapshots_;  ///< of the last ten seconds, one a second
@@ -320,6 +322,7 @@ void DatasetRecorder::onTimer(const ros::WallTimerEvent&) {
   constexpr std::size_t kRecent = 10;
   constexpr long kLogPeriod = 10;
   guarded([this] {
+    status_.clock_stands = clock_.stands();
     snapshots_.push_back({progress_.steps(), progress_.rejections()});
     if (snapshots_.size() > kRecent) snapshots_.pop_front();
     publishStatus();

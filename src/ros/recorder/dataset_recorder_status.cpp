@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "lstm_planner/common/text_table.hpp"
+#include "ros/common/timing.hpp"
 
 namespace lstm_planner {
 
@@ -67,10 +68,15 @@ Verdict judge(const RecordingStatus& status) {
   }
   if (!status.problem.empty()) return {DiagnosticStatus::ERROR, status.problem};
   if (status.lost > 0) return {DiagnosticStatus::ERROR, std::to_string(status.lost) + " steps could not be written"};
-  if (isSilent(status.odometry_silence, status.longest_silence)) {
+  const bool is_odometry_silent = isSilent(status.odometry_silence, status.longest_silence);
+  const bool is_scan_silent = isSilent(status.scan_silence, status.longest_silence);
+  if (status.clock_stands && (is_odometry_silent || is_scan_silent)) {
+    return {DiagnosticStatus::WARN, StandingClock::kText};
+  }
+  if (is_odometry_silent) {
     return {DiagnosticStatus::WARN, describeSilence("odometry", status.odometry_topic, status.odometry_silence)};
   }
-  if (isSilent(status.scan_silence, status.longest_silence)) {
+  if (is_scan_silent) {
     return {DiagnosticStatus::WARN, describeSilence("scan", status.scan_topic, status.scan_silence)};
   }
   if (status.disk_left < status.disk_low) {

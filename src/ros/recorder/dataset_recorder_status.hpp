@@ -77,6 +77,7 @@ struct RecordingStatus {
   std::optional<double> scan_silence;      ///< s of the computer's clock since the last; empty: there was none
   std::optional<double> odometry_silence;  ///< the same
   double longest_silence = 0.0;            ///< s that are nothing to worry about
+  bool clock_stands = false;               ///< ROS's; then a simulator sends nothing
 
   bool paused = false;
   std::optional<GoalInFrame> goal;
