@@ -15,8 +15,7 @@
 #include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/common/words.hpp"
 #include "lstm_planner/drive/plugin_parameters.hpp"
-#include "lstm_planner/simulation/create2.hpp"
-#include "lstm_planner/simulation/hokuyo.hpp"
+#include "lstm_planner/simulation/create2_stub_parameters.hpp"
 #include "tools/shared_file.hpp"
 
 namespace lstm_planner {
@@ -128,6 +127,11 @@ class GroupReader {
     }
   }
 
+  /// A drive starts where its world says.
+  void read(const std::string& name, Pose2* /*value*/) {
+    for (const char* part : {"", "/x", "/y", "/yaw"}) known_.push_back(name + part);
+  }
+
   // As rosparam, which follows YAML 1.1, and the nodes (ros/common/parameter_value.hpp) take a value.
   static void assign(const YAML::Node& node, double* value) { *value = node.as<double>(); }
   template <typename Whole>
@@ -171,16 +175,6 @@ class GroupReader {
   std::string group_;
   std::vector<std::string> known_;
 };
-
-template <typename Visitor>
-std::optional<HokuyoParameters> readSecondScanner(const Visitor& visit) {
-  bool is_mounted = false;
-  HokuyoParameters scanner = lookingBack();
-  visit("second_laser/is_mounted", is_mounted, {}, "", "");
-  visitHokuyoParameters(scanner, withPrefix("second_laser/", visit));
-  if (!is_mounted) return std::nullopt;
-  return scanner;
-}
 
 /// Both plugins have it, and the simulated robot, or none.
 void checkSecondScanner(const std::string& path, const SensorParameters& planner, const SensorParameters& controller,
@@ -301,17 +295,20 @@ void readRobotFile(const std::string& name, DriveParameters* drive, AgentParamet
   drive->motion = controller.motion;
 
   // What the file does not say of the simulated robot is as for the plugins.
-  Create2Parameters& base = drive->robot.base;
-  base.footprint = agent->shield.footprint;
-  base.base_diameter = 2.0 * agent->shield.footprint_radius;
-  base.axle_length = controller.motion.axle_length;
-  base.max_wheel_speed = controller.motion.max_wheel_speed;
+  Create2StubParameters stub;
+  stub.laser = drive->robot.scanner;
+  stub.second_laser = lookingBack();
+  stub.robot = drive->robot.base;
+  stub.robot.footprint = agent->shield.footprint;
+  stub.robot.base_diameter = 2.0 * agent->shield.footprint_radius;
+  stub.robot.axle_length = controller.motion.axle_length;
+  stub.robot.max_wheel_speed = controller.motion.max_wheel_speed;
   GroupReader simulation(path, values, "create2_stub");
-  const auto visit = simulation.visitor();
-  visitCreate2Parameters(drive->robot.base, withPrefix("robot/", visit));
-  visitHokuyoParameters(drive->robot.scanner, withPrefix("laser/", visit));
-  drive->robot.second_scanner = readSecondScanner(visit);
+  visitCreate2StubParameters(stub, simulation.visitor());
   simulation.refuseUnknown();
+  drive->robot.base = stub.robot;
+  drive->robot.scanner = stub.laser;
+  drive->robot.second_scanner = stub.has_second_laser ? std::make_optional(stub.second_laser) : std::nullopt;
   checkBody(path, agent->shield, controller, drive->robot.base);
   for (const char* costmap : {"global_costmap", "local_costmap"}) {
     checkCostmap(path, values, costmap, footprintOf(agent->shield));

@@ -14,12 +14,12 @@
 #include "lstm_planner/ros/advice/drive_advice.hpp"
 #include "lstm_planner/ros/common/parameter_reader.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
-#include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
 #include "lstm_planner/ros/demo/demo_runner.hpp"
 #include "lstm_planner/ros/move_base/standalone_move_base_parameters.hpp"
 #include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
 #include "lstm_planner/ros/recorder/teleoperator_parameters.hpp"
 #include "lstm_planner/ros/replay/bag_replay.hpp"
+#include "lstm_planner/simulation/create2_stub_parameters.hpp"
 #include "ros/fixtures/ros_program.hpp"
 
 namespace lstm_planner::parameter_values {

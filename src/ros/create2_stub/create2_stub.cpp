@@ -21,7 +21,7 @@
 #include "lstm_planner/common/words.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "lstm_planner/ros/common/parameter_reader.hpp"
-#include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
+#include "lstm_planner/simulation/create2_stub_parameters.hpp"
 #include "lstm_planner/simulation/localiser.hpp"
 #include "ros/common/node_main.hpp"
 #include "ros/create2_stub/create2_stub_driver.hpp"

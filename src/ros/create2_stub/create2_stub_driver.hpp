@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
+#include "lstm_planner/simulation/create2_stub_parameters.hpp"
 #include "ros/create2_stub/create2_stub_world.hpp"
 
 namespace lstm_planner {

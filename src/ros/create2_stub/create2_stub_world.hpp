@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "lstm_planner/grid/occupancy_grid.hpp"
-#include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
 #include "lstm_planner/simulation/contact_count.hpp"
 #include "lstm_planner/simulation/create2.hpp"
+#include "lstm_planner/simulation/create2_stub_parameters.hpp"
 #include "lstm_planner/simulation/world.hpp"
 
 namespace lstm_planner {

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
-#include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
 #include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
 #include "lstm_planner/ros/recorder/teleoperator_parameters.hpp"
+#include "lstm_planner/simulation/create2_stub_parameters.hpp"
 
 namespace lstm_planner::test_shipped_parameters {
 namespace {

@@ -148,6 +148,16 @@ TEST_F(DriveRobots, AValueIsWhatTheParameterServerTakesItFor) {
             std::string::npos);
 }
 
+TEST_F(DriveRobots, MayHaveAllThatTheSimulatedRobotOfRosHas) {
+  const test::Outcome outcome = drive(
+      "--worlds rooms --goals 2 --robot " +
+      fileWith("create2_stub: {laser: {upside_down: true, frame: scan, z: 0.2}, start: {x: 1.0, y: 2.0}, seed: 3, "
+               "odometry_jump: [1.0, 0.0, 0.0], publish_clock: true, circles: worlds.csv}\n") +
+      " --json " + in("out.json"));
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_EQ(result()["reached"], 2) << "the mount mirrors what the scanner sees, and what is made of it";
+}
+
 TEST_F(DriveRobots, AGroupThatMergesAnotherHasItsValues) {
   const auto driveWith = [&](const std::string& controller) {
     return drive("--worlds open --goals 1 --time-limit 1 --robot " +
