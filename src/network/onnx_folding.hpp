@@ -6,18 +6,17 @@
 
 namespace lstm_planner::onnx {
 
-/// Exporters write how large an initial state is as nodes that compute on shapes. These run once, when the file is
-/// read.
+/// Exporters write how large an initial state is, and how weights are to be cut, joined and turned, as nodes that
+/// compute nothing new. These run once, when the file is read.
 
-/// Whether an operator can be run on constants: Concat, ConstantOfShape, Expand, Gather, Identity, Slice, Squeeze,
-/// Unsqueeze.
+/// Whether an operator can be run on constants.
 bool isFoldable(const std::string& operator_name);
 
-/// What the node makes of its constants: whole numbers (a shape, at most 8), or floats that are all the same. Throws
-/// ModelFileError for anything else, and for results of more than 65,536 values.
-onnx_subset::TensorProto folded(Node& node, std::int64_t opset);
+/// Many nodes may share one stored tensor, so the size of the file is no limit to that of their results.
+constexpr std::int64_t kMostFoldedValues = 1 << 20;
 
-/// Whole numbers as a constant.
-onnx_subset::TensorProto integerTensor(const std::vector<std::int64_t>& values, bool is_scalar = false);
+/// What the node makes of its constants, floats or whole numbers. `room` is how many values all results together may
+/// still have, and is reduced. Throws ModelFileError where there is no room, and for what does not fit together.
+onnx_subset::TensorProto folded(Node& node, std::int64_t opset, std::int64_t* room);
 
 }  // namespace lstm_planner::onnx

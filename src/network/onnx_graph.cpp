@@ -5,7 +5,6 @@
 
 #include "lstm_planner/common/words.hpp"
 #include "lstm_planner/network/model_file.hpp"
-#include "network/onnx_folding.hpp"
 #include "network/onnx_layers.hpp"
 #include "network/onnx_names.hpp"
 #include "network/onnx_shapes.hpp"
@@ -16,8 +15,6 @@ namespace {
 // Far above any net that runs at each scan.
 constexpr std::size_t kMaximumLayers = 256;
 constexpr std::size_t kMaximumWeights = std::size_t{1} << 24;
-
-constexpr int kMostFoldedValues = 1 << 20;
 
 /// The states of several recurrent layers in one value, as PyTorch has them: layer, robot, unit.
 bool isStackOfStates(const Shape& shape) { return shape.size() == 3 && shape[0] > 1 && shape[1] == 1; }
@@ -145,17 +142,15 @@ bool GraphReader::isConstant(const onnx_subset::NodeProto& node) const {
 }
 
 void GraphReader::fold(Node& node) {
-  folded_.push_back(folded(node, opset_));
-  folded_values_ += folded_.back().float_data_size();
-  if (folded_values_ > kMostFoldedValues) {
-    throw ModelFileError(node.name() + " makes more than " + std::to_string(kMostFoldedValues) +
-                         " values of constants together with those before it");
-  }
+  folded_.push_back(folded(node, opset_, &folding_room_));
+  folded_.back().set_name(node.output(0));
   addConstant(node.output(0), folded_.back());
 }
 
 void GraphReader::readShape(Node& node) {
-  folded_.push_back(integerTensor(valueNamed(node.input(0), node.name()).shape));
+  const Shape shape = valueNamed(node.input(0), node.name()).shape;
+  folded_.push_back(emptyTensor(kInt64, {static_cast<std::int64_t>(shape.size())}));
+  for (const std::int64_t extent : shape) folded_.back().add_int64_data(extent);
   addConstant(node.output(0), folded_.back());
 }
 
@@ -168,23 +163,23 @@ void GraphReader::readConstant(Node& node) {
 void GraphReader::readShapeNode(Node& node) {
   Value value = valueNamed(node.input(0), node.name());
   if (!value.is_state) requireVector(value.shape, node.name() + ": " + quoted(node.input(0)));
-  const std::string& name = node.operatorName();
-  if (name == "Flatten") value.shape = shapeAfterFlatten(node, value.shape);
-  if (name == "Gather") value.shape = shapeAfterGather(node, value.shape);
-  if (name == "Squeeze") value.shape = shapeAfterSqueeze(node, value.shape);
-  if (name == "Unsqueeze") value.shape = shapeAfterUnsqueeze(node, value.shape);
-  if (name == "Reshape") value.shape = shapeAfterReshape(node, value.shape);
-  if (name == "Transpose") value.shape = shapeAfterTranspose(node, value.shape);
+  const Shape shape = viewAfter(node, value.shape, opset_).shape;
+  requireVector(shape, "the result of " + node.name());
+  if (elementCount(shape, node.name()) != elementCount(value.shape, node.name())) {
+    throw ModelFileError(node.name() + " takes " + shapeText(shape) + " of " + shapeText(value.shape) +
+                         ", expected all of it");
+  }
+  value.shape = shape;
   define(node.output(0), value);
 }
 
 void GraphReader::readSlice(Node& node) {
   Value value = valueNamed(node.input(0), node.name());
-  const Part part = partOfSlice(node, value.shape, opset_);
+  const View part = viewAfter(node, value.shape, opset_);
   const bool is_one_layer = isStackOfStates(value.shape) && !value.graph_input.empty() && part.shape[0] == 1 &&
                             part.shape[2] == value.shape[2];
   if (is_one_layer) {
-    value.graph_input += "[" + std::to_string(part.first) + "]";
+    value.graph_input += "[" + std::to_string(part.first / part.shape[2]) + "]";
   } else if (part.shape != value.shape) {
     throw ModelFileError(node.name() + " takes " + shapeText(part.shape) + " of " + shapeText(value.shape) +
                          ", expected all of it, or the state of one layer");
@@ -204,22 +199,17 @@ void GraphReader::readConcat(Node& node) {
 
 /// The network's input in several parts, one behind the other.
 void GraphReader::joinInputs(Node& node) {
-  const Shape first = valueNamed(node.input(0), node.name()).shape;
-  const std::size_t axis = axisIndex(node, node.integer("axis", 0), first.size());
-  Shape joined = first;
-  joined[axis] = 0;
+  std::vector<Shape> shapes;
   for (int index = 0; !node.input(index).empty(); ++index) {
     const Value& value = valueNamed(node.input(index), node.name());
-    Shape others = value.shape;
-    if (others.size() == first.size()) others[axis] = first[axis];
-    if (value.graph_input.empty() || others != first) {
-      throw ModelFileError(node.name() + " joins " + quoted(node.input(index)) + " of the shape " +
-                           shapeText(value.shape) + " to a graph input of the shape " + shapeText(first) +
-                           ", expected another graph input that fits");
+    if (value.graph_input.empty()) {
+      throw ModelFileError(node.name() + " joins " + quoted(node.input(index)) +
+                           " to a graph input, expected another graph input");
     }
     takeGraphInput(node, value);
-    joined[axis] += value.shape[axis];
+    shapes.push_back(value.shape);
   }
+  const Shape joined = shapeAfterConcat(node, shapes);
   requireVector(joined, "the result of " + node.name());
   define(node.output(0), {joined, 0, false, ""});
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lstm_planner/network/layers.hpp"
+#include "network/onnx_folding.hpp"
 #include "network/onnx_node.hpp"
 
 namespace lstm_planner::onnx {
@@ -73,7 +74,7 @@ class GraphReader {
   const std::int64_t opset_;
   Constants constants_;
   std::deque<onnx_subset::TensorProto> folded_;  ///< constants that nodes made of constants
-  int folded_values_ = 0;
+  std::int64_t folding_room_ = kMostFoldedValues;
   std::map<std::string, Value> values_;
   std::set<std::string> taken_graph_inputs_;
   int stage_ = 0;

@@ -48,6 +48,19 @@ class SequenceRnn(nn.Module):
         return self.out(self.rnn(torch.tanh(self.first(x)))[0]).squeeze(1)
 
 
+class EqualBiases(nn.Module):
+    """Biases that are all zero, which the exporter stores once and copies by Identity."""
+
+    def __init__(self):
+        super().__init__()
+        self.layers = nn.Sequential(nn.Linear(INPUTS, 6), nn.ReLU(), nn.Linear(6, 6), nn.Tanh(), nn.Linear(6, OUTPUTS))
+        for layer in self.layers[::2]:
+            nn.init.zeros_(layer.bias)
+
+    def forward(self, x):
+        return self.layers(x)
+
+
 class TwoInputs(nn.Module):
     """Ranges and the rest as two inputs."""
 
@@ -88,6 +101,11 @@ def main():
         export("pytorch_sequence.onnx", net, (one,), net(x).squeeze(0), writer)
         net = TwoInputs().eval()
         export("pytorch_two_inputs.onnx", net, (x[0, :1, :8], x[0, :1, 8:]), net(x[0, :, :8], x[0, :, 8:]), writer)
+        net = Lstm().eval()
+        export("pytorch_unfolded.onnx", net, (one, states, states), net.out(net.lstm(x)[0][0]), writer,
+               do_constant_folding=False)
+        net = EqualBiases().eval()
+        export("pytorch_equal_biases.onnx", net, (x[0, :1],), net(x[0]), writer)
 
 
 if __name__ == "__main__":

@@ -123,9 +123,30 @@ class ModelMutator {
   void mutate(std::string* text) { *text = name(); }
 
   void mutate(NodeProto* node) {
-    static const std::array<std::string, 15> kOperators = {"LSTM",    "RNN",       "Gemm",      "Relu",     "Tanh",
-                                                           "Sigmoid", "Softmax",   "Constant",  "Identity", "Reshape",
-                                                           "Squeeze", "Transpose", "Unsqueeze", "Flatten",  "Conv"};
+    static const std::array<std::string, 24> kOperators = {"LSTM",
+                                                           "RNN",
+                                                           "Gemm",
+                                                           "Relu",
+                                                           "Tanh",
+                                                           "Sigmoid",
+                                                           "Softmax",
+                                                           "Constant",
+                                                           "Identity",
+                                                           "Reshape",
+                                                           "Squeeze",
+                                                           "Transpose",
+                                                           "Unsqueeze",
+                                                           "Flatten",
+                                                           "Conv",
+                                                           "Add",
+                                                           "Cast",
+                                                           "Concat",
+                                                           "ConstantOfShape",
+                                                           "Expand",
+                                                           "Gather",
+                                                           "MatMul",
+                                                           "Shape",
+                                                           "Slice"};
     switch (input_.byte() % 8) {
       case 0:
         node->set_op_type(input_.pick(kOperators));
@@ -146,7 +167,7 @@ class ModelMutator {
   }
 
   void mutate(AttributeProto* attribute) {
-    static const std::array<std::string, 20> kAttributes = {"value",
+    static const std::array<std::string, 23> kAttributes = {"value",
                                                             "axes",
                                                             "axis",
                                                             "perm",
@@ -165,7 +186,10 @@ class ModelMutator {
                                                             "allowzero",
                                                             "value_int",
                                                             "value_floats",
-                                                            "linear_before_reset"};
+                                                            "linear_before_reset",
+                                                            "to",
+                                                            "starts",
+                                                            "ends"};
     switch (input_.byte() % 10) {
       case 0:
         attribute->set_name(input_.pick(kAttributes));

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstring>
 
 #include "lstm_planner/network/network.hpp"
@@ -41,6 +42,24 @@ class ModelFileExporters : public test::ModelFileTest {
   std::string squeezeName() { return "layer_1_hidden_next_step"; }
   std::string unsqueezeName() { return "observation_sequence"; }
 
+  /// The nodes so added come before all others, in the order in which they are added.
+  NodeProto& addNode(const std::string& type, const std::vector<std::string>& inputs, const std::string& output) {
+    auto& nodes = *file_.mutable_graph()->mutable_node();
+    NodeProto& node = *nodes.Add();
+    node.set_op_type(type);
+    for (const std::string& input : inputs) node.add_input(input);
+    node.add_output(output);
+    std::rotate(nodes.begin() + added_nodes_, nodes.end() - 1, nodes.end());
+    return *nodes.Mutable(added_nodes_++);
+  }
+
+  /// A stored tensor under another name, for a node that makes the old one of it.
+  TensorProto& stored(const std::string& name) {
+    TensorProto& tensor = tensorNamed(file_, name);
+    tensor.set_name("stored_" + name);
+    return tensor;
+  }
+
   void setIntegers(const std::string& name, const std::vector<int>& values) {
     TensorProto& tensor = *file_.mutable_graph()->add_initializer();
     tensor.set_name(name);
@@ -51,7 +70,17 @@ class ModelFileExporters : public test::ModelFileTest {
 
   LayerStack layers_;
   ModelProto file_;
+  int added_nodes_ = 0;
 };
+
+void setShape(const std::vector<int>& shape, TensorProto* tensor) {
+  tensor->clear_dims();
+  for (const int extent : shape) tensor->add_dims(extent);
+}
+
+void setValues(const Eigen::MatrixXf& values, TensorProto* tensor) {
+  tensor->set_raw_data(values.data(), static_cast<std::size_t>(values.size()) * sizeof(float));
+}
 
 TEST_F(ModelFileExporters, WeightsAsTypedFloats) {
   for (TensorProto& tensor : *file_.mutable_graph()->mutable_initializer()) {
@@ -199,6 +228,121 @@ TEST_F(ModelFileExporters, ConstantNodes) {
   *addAttribute(constant, "value").mutable_t() = weights;
   for (const NodeProto& node : nodes) *file_.mutable_graph()->add_node() = node;
   expectSameNetwork();
+}
+
+TEST_F(ModelFileExporters, GatesInAnotherOrderThatNodesPutInto) {
+  for (const std::string name : {"layer_1_input_weights", "layer_1_recurrent_weights"}) {
+    TensorProto& tensor = stored(name);
+    const int columns = static_cast<int>(tensor.dims(2));
+    setShape({8, columns}, &tensor);
+    const std::string raw = tensor.raw_data();
+    const std::size_t gate = raw.size() / 4;
+    // ONNX has i, o, f, c; PyTorch has i, f, c, o.
+    tensor.set_raw_data(raw.substr(0, gate) + raw.substr(2 * gate) + raw.substr(gate, gate));
+    std::vector<std::string> parts;
+    for (const int place : {0, 6, 2, 4}) {
+      parts.push_back(name + "_" + std::to_string(place));
+      setIntegers(parts.back() + "_start", {place});
+      setIntegers(parts.back() + "_end", {place + 2});
+      addNode("Slice", {"stored_" + name, parts.back() + "_start", parts.back() + "_end"}, parts.back());
+    }
+    addAttribute(addNode("Concat", parts, name + "_joined"), "axis").set_i(0);
+    setIntegers(name + "_axis", {0});
+    addNode("Unsqueeze", {name + "_joined", name + "_axis"}, name);
+  }
+  expectSameNetwork();
+}
+
+TEST_F(ModelFileExporters, ColumnsOfWeightsThatNodesCutAndJoin) {
+  TensorProto& tensor = stored("layer_1_input_weights");  // 1 x 8 x 3
+  for (const int column : {0, 1, 2}) {
+    setIntegers("column_" + std::to_string(column), {column});
+    addAttribute(
+        addNode("Gather", {tensor.name(), "column_" + std::to_string(column)}, "part_" + std::to_string(column)),
+        "axis")
+        .set_i(2);
+  }
+  addAttribute(addNode("Concat", {"part_0", "part_1", "part_2"}, "layer_1_input_weights"), "axis").set_i(-1);
+  expectSameNetwork();
+}
+
+TEST_F(ModelFileExporters, TransposedWeights) {
+  TensorProto& tensor = stored("layer_2_weights");  // 4 x 2
+  setShape({2, 4}, &tensor);
+  setValues(std::get<DenseLayer>(layers_[1]).weights, &tensor);
+  addNode("Transpose", {tensor.name()}, "layer_2_weights");
+  expectSameNetwork();
+}
+
+TEST_F(ModelFileExporters, WeightsInAnyShapeThatANodeTurnsIntoTheirOwn) {
+  setIntegers("zero", {0});
+  setIntegers("one", {1});
+  setIntegers("shape", {4, -1});
+  setIntegers("shape_for_expand", {1, 2});
+  stored("layer_2_weights");
+  const ModelProto without_node = file_;
+  const auto expectSame = [&](const std::string& type, const std::vector<int>& shape, const std::string& operand) {
+    SCOPED_TRACE(type);
+    file_ = without_node;
+    added_nodes_ = 0;
+    setShape(shape, &tensorNamed(file_, "stored_layer_2_weights"));
+    std::vector<std::string> inputs = {"stored_layer_2_weights"};
+    if (!operand.empty()) inputs.push_back(operand);
+    addNode(type, inputs, "layer_2_weights");
+    expectSameNetwork();
+  };
+  expectSame("Identity", {4, 2}, "");
+  expectSame("Reshape", {8}, "shape");
+  expectSame("Flatten", {4, 1, 2}, "");
+  expectSame("Squeeze", {4, 1, 2}, "one");
+  expectSame("Expand", {4, 2}, "shape_for_expand");
+}
+
+TEST_F(ModelFileExporters, AColumnOfWeightsThatIsExpanded) {
+  Eigen::MatrixXf& weights = std::get<DenseLayer>(layers_[1]).weights;  // 4 x 2
+  weights.col(1) = weights.col(0);
+  TensorProto& tensor = stored("layer_2_weights");
+  setShape({4, 1}, &tensor);
+  setValues(weights.col(0), &tensor);
+  setIntegers("shape", {4, 2});
+  addNode("Expand", {tensor.name(), "shape"}, "layer_2_weights");
+  expectSameNetwork();
+}
+
+TEST_F(ModelFileExporters, NodesThatMakeWhatNoNetworkHasOfWeightsAreRefused) {
+  stored("layer_2_weights");
+  setIntegers("huge", {1 << 13, 4, 2});
+  setIntegers("axes", {0, 1, 2, 3, 4, 5, 6});
+  setIntegers("far", {4});
+  const ModelProto without_node = file_;
+  const auto refusalOfNode = [&](const std::string& type, const std::vector<std::string>& inputs) {
+    file_ = without_node;
+    added_nodes_ = 0;
+    addNode(type, inputs, "layer_2_weights");
+    return refusal(file_);
+  };
+  EXPECT_REFUSED(refusalOfNode("Unsqueeze", {"stored_layer_2_weights", "axes"}), "has 9 axes, expected at most 8");
+  EXPECT_REFUSED(refusalOfNode("Gather", {"stored_layer_2_weights", "far"}), "picks from the axis 0 of [4, 2]");
+  EXPECT_REFUSED(refusalOfNode("Expand", {"stored_layer_2_weights", "far"}), "which do not fit together");
+  EXPECT_REFUSED(refusalOfNode("Concat", {"stored_layer_2_weights", "axes"}), "joins");
+  EXPECT_REFUSED(refusalOfNode("Cast", {"stored_layer_2_weights"}), "casts");
+  file_ = without_node;
+  added_nodes_ = 0;
+  addNode("Expand", {"stored_layer_2_weights", "huge"}, "many");
+  std::vector<std::string> all(40, "many");
+  addAttribute(addNode("Concat", all, "more"), "axis").set_i(0);
+  EXPECT_REFUSED(refusal(file_), "values of constants");
+}
+
+TEST_F(ModelFileExporters, ReshapesThatAllowZerosWhereNoExtentIsZero) {
+  NodeProto& squeeze = nodeNamed(file_, squeezeName());
+  squeeze.set_op_type("Reshape");
+  squeeze.set_input(1, "step_shape");
+  addAttribute(squeeze, "allowzero").set_i(1);
+  setIntegers("step_shape", {1, 2});
+  expectSameNetwork();
+  tensorNamed(file_, "step_shape").set_int64_data(0, 0);
+  EXPECT_REFUSED(refusal(file_), "makes the shape [0, 2] of 2 values");
 }
 
 TEST_F(ModelFileExporters, OperatorSetsWithAxesAsAttributes) {

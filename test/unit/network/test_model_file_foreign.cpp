@@ -55,7 +55,8 @@ TEST_P(ForeignModel, AnswersHereAsItDoesThere) {
 INSTANTIATE_TEST_SUITE_P(Exports, ForeignModel,
                          ::testing::Values("pytorch_states.onnx", "pytorch_opset_9.onnx", "pytorch_opset_11.onnx",
                                            "pytorch_opset_13.onnx", "pytorch_dynamic.onnx", "pytorch_sequence.onnx",
-                                           "pytorch_two_inputs.onnx", "keras_sequence.onnx", "keras_any_batch.onnx",
+                                           "pytorch_two_inputs.onnx", "pytorch_unfolded.onnx",
+                                           "pytorch_equal_biases.onnx", "keras_sequence.onnx", "keras_any_batch.onnx",
                                            "keras_stacked.onnx"),
                          [](const auto& instance) {
                            const std::string name = instance.param;
