@@ -271,7 +271,12 @@ void GraphReader::readAdd(Node& node) {
     throw ModelFileError(node.name() + " does not follow a MatMul, expected it there only");
   }
   auto& layer = std::get<DenseLayer>(layers_.back());
-  layer.bias = biases(node, 1 - data, layer.weights.rows());
+  const std::int64_t outputs = layer.weights.rows();
+  if (outputs > 1 && value.shape.back() != outputs) {
+    throw ModelFileError(node.name() + " adds biases to the shape " + shapeText(value.shape) + ", expected " +
+                         std::to_string(outputs) + " values along the last axis");
+  }
+  layer.bias = biases(node, 1 - data, outputs);
   last_is_matmul_ = false;
   ++stage_;
   define(node.output(0), {value.shape, stage_, false, ""});

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -86,6 +87,13 @@ TEST_F(PytorchRefusals, ABiasThatFollowsNoProduct) {
   first(file, "Relu").add_input(bias);
   first(file, "Relu").set_op_type("Add");
   EXPECT_NE(refusal(file).find("does not follow a MatMul"), std::string::npos) << refusal();
+}
+
+TEST_F(PytorchRefusals, BiasesAddedToAColumnWhichMakeATable) {
+  onnx_subset::ModelProto file = load("keras_sequence.onnx");
+  std::string& shape = *test::tensorNamed(file, "const__8").mutable_raw_data();  // of the product: 1 x 1 x 5
+  std::swap_ranges(shape.begin() + 8, shape.begin() + 16, shape.begin() + 16);
+  EXPECT_NE(refusal(file).find("adds biases to the shape [1, 5, 1]"), std::string::npos) << refusal();
 }
 
 TEST_F(PytorchRefusals, OneStateForTwoLayers) {
