@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Trains a network of PyTorch on what `lstm_planner dataset export --encoded` writes, and exports it as ONNX.
 
-usage: train_pytorch.py encoded.csv exported.onnx [LABEL]     (Debian and Ubuntu: python3-torch, python3-numpy)
+usage: train_pytorch.py encoded.csv exported.onnx [LABEL]     (apt: python3-torch, python3-numpy; pip: torch, numpy, onnx)
 Then: lstm_planner model convert exported.onnx --output own.onnx
 """
+import inspect
 import sys
 
 import numpy as np
@@ -46,6 +47,13 @@ def read(path, label):
         yield torch.tensor(rows[:, inputs], dtype=torch.float32), torch.tensor(rows[:, names.index(label)]).long()
 
 
+def export(net, arguments, path, **options):
+    """As ONNX in one file. What exports by default since PyTorch 2.9 needs onnxscript, and may write a second file."""
+    if "dynamo" in inspect.signature(torch.onnx.export).parameters:
+        options["dynamo"] = False
+    torch.onnx.export(net.eval(), arguments, path, **options)
+
+
 def main(encoded, exported, label="label_0.4"):
     torch.manual_seed(1)
     episodes = list(read(encoded, label))
@@ -63,9 +71,8 @@ def main(encoded, exported, label="label_0.4"):
             right += (preferences.argmax(1) == y).sum().item()
             total += len(y)
     print("%d episodes, %d steps, %.1f %% of the labels after %d epochs" % (len(episodes), total, 100 * right / total, EPOCHS))
-    torch.onnx.export(net.eval(), (torch.zeros(1, 1, inputs), zeros, zeros), exported,
-                      input_names=["observation", "hidden", "cell"],
-                      output_names=["preferences", "next_hidden", "next_cell"])
+    export(net, (torch.zeros(1, 1, inputs), zeros, zeros), exported, input_names=["observation", "hidden", "cell"],
+           output_names=["preferences", "next_hidden", "next_cell"])
 
 
 if __name__ == "__main__":

@@ -29,7 +29,9 @@ template <typename TypedData>
 StoredBytes storedBytes(const TensorProto& tensor, const TypedData& typed_data) {
   constexpr std::size_t kWidth = sizeof(typename TypedData::value_type);
   if (tensor.data_location() == kExternalData) {
-    throw ModelFileError(tensorName(tensor) + " has its data in another file, expected them in this one");
+    throw ModelFileError(tensorName(tensor) +
+                         " has its data in another file, expected them in this one: export with external_data=False, "
+                         "or dynamo=False");
   }
   const Shape shape = shapeOf(tensor);
   const auto count = static_cast<std::size_t>(elementCount(shape, tensorName(tensor)));

@@ -7,11 +7,14 @@ Input i at step t is sin(0.7 i + 1.3 t).
 import csv
 import math
 import os
+import sys
 
 import torch
 from torch import nn
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "..", "..", "models"))
+from train_pytorch import export as export_onnx
 INPUTS, CELLS, OUTPUTS, STEPS = 14, 4, 5, 6
 
 
@@ -77,7 +80,7 @@ def sequence():
 
 
 def export(name, net, arguments, answers, writer, **options):
-    torch.onnx.export(net, arguments, os.path.join(HERE, name), **options)
+    export_onnx(net, arguments, os.path.join(HERE, name), **options)
     for step in range(STEPS):
         writer.writerow([name, step] + ["%.9g" % value for value in answers[step].tolist()])
 

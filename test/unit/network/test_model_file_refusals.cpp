@@ -86,7 +86,8 @@ TEST_F(ModelFileRefusals, TensorsWhoseDataDoNotFitTheirShape) {
           [](ModelProto& file) { tensorNamed(file, "layer_2_biases").mutable_raw_data()->pop_back(); });
   refuses("holds 0 bytes", [](ModelProto& file) { tensorNamed(file, "layer_2_biases").clear_raw_data(); });
   refuses("data type 11", [](ModelProto& file) { tensorNamed(file, "layer_2_biases").set_data_type(11); });
-  refuses("another file", [](ModelProto& file) { tensorNamed(file, "layer_2_biases").set_data_location(1); });
+  refuses("has its data in another file, expected them in this one: export with external_data=False, or dynamo=False",
+          [](ModelProto& file) { tensorNamed(file, "layer_2_biases").set_data_location(1); });
 }
 
 TEST_F(ModelFileRefusals, EmptyNegativeAndAbsurdSizes) {
