@@ -1,9 +1,13 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
 
+#include "lstm_planner/common/geometry.hpp"
 #include "lstm_planner/common/output_file.hpp"
+#include "lstm_planner/common/text_table.hpp"
+#include "lstm_planner/common/words.hpp"
 #include "lstm_planner/dataset/dataset_check.hpp"
 #include "lstm_planner/dataset/dataset_edit.hpp"
 #include "lstm_planner/dataset/dataset_export.hpp"
@@ -13,6 +17,7 @@
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/dataset_report.hpp"
+#include "tools/train_robot.hpp"
 
 namespace lstm_planner {
 
@@ -99,22 +104,72 @@ int datasetSplit(const std::vector<std::string>& arguments) {
   return 0;
 }
 
+namespace {
+
+std::string degreesText(const ActionSet& actions) {
+  std::string text;
+  for (const double angle : actions.angles()) {
+    text += (text.empty() ? "" : " ") + std::to_string(std::lround(angle * 180.0 / M_PI));
+  }
+  return text;
+}
+
+/// What `model convert` has to be told of a network for this policy: options for all that it would not assume.
+std::string conversionOptions(const PolicyDescription& policy) {
+  const PolicyDescription assumed;
+  std::string options;
+  const auto addText = [&](const std::string& name, const std::string& text, const std::string& assumed_text) {
+    if (text != assumed_text) options += " --" + name + " " + text;
+  };
+  const auto add = [&](const std::string& name, double value, double assumed_value) {
+    addText(name, numberText(value), numberText(assumed_value));
+  };
+  addText("layout", joined(policy.encoder.input_layout, " "), joined(assumed.encoder.input_layout, " "));
+  add("range-cap", policy.encoder.range_cap, assumed.encoder.range_cap);
+  add("position-cell", policy.encoder.position_cell, assumed.encoder.position_cell);
+  add("heading-cell", policy.encoder.heading_cell, assumed.encoder.heading_cell);
+  add("event-range", policy.encoder.event_range, assumed.encoder.event_range);
+  addText("actions", degreesText(policy.actions), degreesText(assumed.actions));
+  add("step-length", policy.step_length, assumed.step_length);
+  add("robot-radius", policy.footprint_radius, assumed.footprint_radius);
+  return options;
+}
+
+/// Returns what to do with a network that learns from it. `encoder` says which inputs; the range cap is the
+/// recordings'.
+std::string exportEncoded(const std::string& output, const Dataset& dataset, EncoderParameters encoder) {
+  PolicyDescription policy = policyOf(dataset);
+  encoder.range_cap = policy.encoder.range_cap;
+  policy.encoder = encoder;
+  exportEncodedCsv(output, dataset, policy, kLabelDistances);
+  return "a network that learns from it is made usable by\nlstm_planner model convert FILE.onnx --output own.onnx" +
+         conversionOptions(policy) + "\n";
+}
+
+}  // namespace
+
 int datasetExport(const std::vector<std::string>& arguments) {
   std::string file;
   std::string output;
   bool with_scans = false;
   bool encoded = false;
+  std::vector<std::string> inputs;
+  EncoderParameters encoder;
   CommandLine line("dataset export", "writes a dataset for other programs; discarded episodes are left out");
   line.addFile("file", &file, "the dataset").required().standsAlone();
   line.addFile("output", &output, "FILE.csv: one row per step; FILE.npz: arrays for NumPy").required();
   line.addFlag("scans", &with_scans, true, "also write the whole scans");
   line.addFlag("encoded", &encoded, true,
                "write the encoded inputs of a network, and the labels 0 to 1 m ahead, instead of the measured values");
+  line.section("which inputs, with --encoded");
+  addInputOptions(&inputs, &encoder, &line);
   if (!line.parse(arguments)) return 0;
   const std::string extension = std::filesystem::path(output).extension().string();
   if (extension != ".csv" && extension != ".npz") {
     throw std::invalid_argument("--output is '" + output + "', expected a name that ends in .csv or .npz");
   }
+  if (!encoded) line.refuseIdle({"inputs", "event-range", "position-cell", "heading-cell"}, "without --encoded");
+  addInputs(inputs, &encoder);
   if (encoded && with_scans) throw std::invalid_argument("--encoded and --scans exclude each other");
   if (encoded && extension != ".csv") {
     throw std::invalid_argument("--output is '" + output + "', expected a name that ends in .csv, with --encoded");
@@ -125,12 +180,13 @@ int datasetExport(const std::vector<std::string>& arguments) {
     throw std::invalid_argument("--output is the dataset itself, '" + file + "'");
   }
   checkWritable(output);
+  std::string then;
   if (encoded) {
-    exportEncodedCsv(output, dataset, policyOf(dataset), kLabelDistances);
+    then = exportEncoded(output, dataset, encoder);
   } else {
     (extension == ".csv" ? exportCsv : exportNumpy)(output, dataset, with_scans);
   }
-  std::cout << stepCount(dataset) << " steps\n";
+  std::cout << stepCount(dataset) << " steps\n" << then;
   return 0;
 }
 

@@ -49,8 +49,28 @@ void useAnglesAlone(std::vector<std::string>* layout) {
   }
 }
 
-/// By the names of the groups: events, events-alone, visits, trace, motion. Throws std::invalid_argument for another
-/// name.
+}  // namespace
+
+void addWorldKinds(std::vector<WorldKind>* worlds, CommandLine* line) {
+  Choices<WorldKind> kinds;
+  for (const WorldKind kind : worldKinds()) kinds.emplace_back(toString(kind), kind);
+  line->addChoices("kinds", worlds, kinds,
+                   "kinds of generated worlds: mazes offices corridors forest open rooms furnished (default: all)");
+}
+
+void addInputOptions(std::vector<std::string>* groups, EncoderParameters* encoder, CommandLine* line) {
+  line->add("inputs", groups,
+            "inputs in addition to the thesis's: events (a sector below --event-range), events-alone (instead of the "
+            "ranges), angles (bearing and heading as angles instead of sine and cosine: the thesis's twelve inputs), "
+            "visits (how often the robot was at the places a step away), trace (the same on three scales, how long "
+            "ago, and the progress), motion (since the last step)");
+  line->add("event-range", &encoder->event_range, {0.0, 1000.0}, "m; a sector with a smaller mean range is an event");
+  line->add("position-cell", &encoder->position_cell, {0.0, 1000.0},
+            "m; the position is rounded to multiples of this; 0: it is not rounded");
+  line->add("heading-cell", &encoder->heading_cell, {0.0, M_PI},
+            "rad; the heading is rounded to multiples of this; 0: it is not rounded");
+}
+
 void addInputs(const std::vector<std::string>& groups, EncoderParameters* encoder) {
   std::vector<std::string>& layout = encoder->input_layout;
   const std::vector<std::string> known = groupsToAdd();
@@ -73,26 +93,8 @@ void addInputs(const std::vector<std::string>& groups, EncoderParameters* encode
   validate(*encoder);
 }
 
-}  // namespace
-
-void addWorldKinds(std::vector<WorldKind>* worlds, CommandLine* line) {
-  Choices<WorldKind> kinds;
-  for (const WorldKind kind : worldKinds()) kinds.emplace_back(toString(kind), kind);
-  line->addChoices("kinds", worlds, kinds,
-                   "kinds of generated worlds: mazes offices corridors forest open rooms furnished (default: all)");
-}
-
 void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* encoder, CommandLine* line) {
-  line->add("inputs", &options->inputs,
-            "inputs in addition to the thesis's: events (a sector below --event-range), events-alone (instead of the "
-            "ranges), angles (bearing and heading as angles instead of sine and cosine: the thesis's twelve inputs), "
-            "visits (how often the robot was at the places a step away), trace (the same on three scales, how long "
-            "ago, and the progress), motion (since the last step)");
-  line->add("event-range", &encoder->event_range, {0.0, 1000.0}, "m; a sector with a smaller mean range is an event");
-  line->add("position-cell", &encoder->position_cell, {0.0, 1000.0},
-            "m; the position is rounded to multiples of this; 0: it is not rounded");
-  line->add("heading-cell", &encoder->heading_cell, {0.0, M_PI},
-            "rad; the heading is rounded to multiples of this; 0: it is not rounded");
+  addInputOptions(&options->inputs, encoder, line);
   line->add("views", &encoder->views, {1, 8},
             "1: one output per angle; 8: the network is evaluated for each of eight directions, each with an output "
             "and a hidden state (only with reinforcement)");

@@ -41,6 +41,12 @@ struct RobotNetworkOptions {
 /// Of `train` and `judge`.
 void addWorldKinds(std::vector<WorldKind>* worlds, CommandLine* line);
 
+/// What a network of the robot takes. `groups`: beside the thesis's inputs.
+void addInputOptions(std::vector<std::string>* groups, EncoderParameters* encoder, CommandLine* line);
+
+/// Takes over the parsed groups. Throws std::invalid_argument for a name that is none.
+void addInputs(const std::vector<std::string>& groups, EncoderParameters* encoder);
+
 void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* encoder, CommandLine* line);
 
 /// Throws std::invalid_argument when one of them was given beside --init.

@@ -78,6 +78,42 @@ TEST_F(DatasetTool, ExportsForOtherPrograms) {
   EXPECT_EQ(npz.get(), 'K');
 }
 
+/// The options of `model convert` that an export names.
+std::string namedOptions(const std::string& output) {
+  const std::string command = "lstm_planner model convert FILE.onnx --output own.onnx";
+  const std::size_t at = output.find(command);
+  return at == std::string::npos ? "none" : output.substr(at + command.size());
+}
+
+TEST_F(DatasetTool, NamesWhatAnEncodedExportsNetworkHasToBeToldOfTheRecording) {
+  EXPECT_EQ(namedOptions(success("export a.db --output a.csv --encoded")), "\n");
+  Dataset dataset = readDataset(in("a.db"));
+  RecorderParameters& parameters = dataset.recordings[0].description.parameters;
+  parameters.range_cap = 2.0;
+  parameters.action_angles = {-M_PI_2, -M_PI / 6.0, 0.0, M_PI / 6.0, M_PI_2};
+  parameters.agent.step.length = 0.25;
+  parameters.agent.shield.footprint_radius = 0.149;
+  writeDataset(in("b.db"), dataset);
+  EXPECT_EQ(namedOptions(success("export b.db --output b.csv --encoded")),
+            " --range-cap 2 --actions -90 -30 0 30 90 --step-length 0.25 --robot-radius 0.149\n");
+}
+
+TEST_F(DatasetTool, ExportsTheInputsThatAreNamed) {
+  const std::string output =
+      success("export a.db --output a.csv --encoded --inputs angles events --event-range 0.7 --position-cell 0.1");
+  std::ifstream csv(in("a.csv"));
+  std::string names;
+  std::getline(csv, names);
+  EXPECT_EQ(names.substr(0, names.find(",label_0")),
+            "episode,step,sector_0,sector_1,sector_2,sector_3,sector_4,sector_5,sector_6,sector_7,goal_distance,"
+            "goal_bearing,heading,previous_action,event_0,event_1,event_2,event_3,event_4,event_5,event_6,event_7");
+  const std::string options = namedOptions(output);
+  EXPECT_TRUE(contains(options, " --layout sector_0 sector_1 ")) << output;
+  EXPECT_TRUE(contains(options, " event_7 --position-cell 0.1 --event-range 0.7\n")) << output;
+  EXPECT_TRUE(
+      contains(complaint("export a.db --output a.csv --inputs angles"), "--inputs has no effect without --enc"));
+}
+
 TEST_F(DatasetTool, ListsItsActions) {
   const std::string output = success("--help");
   for (const char* action : {"info", "check", "merge", "split", "export"}) {
