@@ -20,7 +20,8 @@ void writeNames(const PolicyDescription& policy, const std::vector<double>& dist
   csv->endRow();
 }
 
-/// `episodes`: by label distance; they differ in the labels alone.
+/// `episodes`: by label distance. Their inputs differ in the previous action, which follows the labels: those of the
+/// first distance are written.
 void writeRows(const std::vector<std::vector<Sequence>>& episodes, CsvWriter* csv) {
   for (std::size_t episode = 0; episode < episodes.front().size(); ++episode) {
     const Sequence& told = episodes.front()[episode];

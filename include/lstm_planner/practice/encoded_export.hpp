@@ -12,7 +12,8 @@ namespace lstm_planner {
 /// each step, below a line with the names of the columns. The columns are episode (counted from 0) and step; the
 /// encoded inputs, by their names in the policy's input layout; and label_D for each D of `label_distances` (m): the
 /// index of the steering angle towards the place where the driver was after that distance, for label_0 at the next step
-/// (thesis Eq. 4.1-4.2). The hidden state is to be reset with each episode. Discarded episodes are left out.
+/// (thesis Eq. 4.1-4.2). The previous action among the inputs is that of the first distance. The hidden state is to be
+/// reset with each episode. Discarded episodes are left out.
 ///
 /// Throws DatasetError if the file cannot be written, and std::invalid_argument if there is no label distance, or if
 /// the recordings do not fit the policy (forEachRecordedEpisode()).

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -62,6 +63,25 @@ TEST(EncodedExport, HoldsWhatTheTrainerHereLearnsFrom) {
       EXPECT_EQ(rows[row][3 + layout.size()], std::to_string(ahead[episode].labels[step]));
     }
   }
+}
+
+TEST(EncodedExport, PreviousActionIsThatOfTheFirstLabelWhateverTheOthersAre) {
+  const test::ScratchFolder folder;
+  Dataset dataset = twoEpisodes();
+  dataset.recordings[0].episodes.push_back(driveTowards({0.4, 0.3}, 12));  // past the goal and back
+  exportEncodedCsv(folder / "encoded.csv", dataset, policyOf(dataset), {0.0, 0.4});
+  const std::vector<Row> rows = rowsOf(folder / "encoded.csv");
+  const auto column = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::find(rows[0].begin(), rows[0].end(), name) - rows[0].begin());
+  };
+  int different = 0;
+  for (std::size_t row = 2; row < rows.size(); ++row) {
+    if (rows[row][column("step")] == "0") continue;
+    const Row& before = rows[row - 1];
+    EXPECT_EQ(std::stof(rows[row][column("previous_action")]), 0.5f * (std::stof(before[column("label_0")]) - 2.0f));
+    different += before[column("label_0")] != before[column("label_0.4")] ? 1 : 0;
+  }
+  EXPECT_GT(different, 0);
 }
 
 TEST(EncodedExport, NeedsALabelDistanceAndAPlaceToWriteTo) {
