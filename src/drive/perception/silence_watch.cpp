@@ -9,6 +9,7 @@ namespace lstm_planner {
 
 namespace {
 
+constexpr int kFewestReturns = 8;      // of few beams, somebody who passes by has more than kMuch
 constexpr double kMuch = 0.2;          // of the beams; more than a turn of 2 rad/s takes out of sight between two scans
 constexpr double kMostApart = 0.25;    // s
 constexpr double kMostPeriods = 2.5;   // a scanner may lose a scan
@@ -43,7 +44,8 @@ void SilenceWatch::show(const LaserScan& scan, const ScanRules& rules, double ti
   const auto beams = static_cast<double>(scan.ranges.size());
   if (returns.measured > 0) {
     // A scan of before the jump may come after it, and says nothing of what the next one must see.
-    share_ = time < jump_ ? 0.0 : returns.measured / beams;
+    const bool tells = returns.measured >= kFewestReturns && time >= jump_;
+    share_ = tells ? returns.measured / beams : 0.0;
     is_covered_ = false;
   } else if (!is_covered_) {
     is_covered_ = share_ >= kMuch && returns.known >= kMostlySilent * beams && isComparable(time, pose);

@@ -49,6 +49,14 @@ TEST_F(SilenceWatchTest, AScannerThatFailsIsNoticedWhereItsDriverSendsInfinity) 
   EXPECT_FALSE(isCoveredAfter(3.0f));
 }
 
+TEST_F(SilenceWatchTest, SomebodyWhoPassesAScannerOfFewBeamsIsNoCover) {
+  LaserScan scan = makeScan(-M_PI_2, M_PI / 8.0, 9, nan_);
+  scan.ranges[3] = scan.ranges[4] = 1.0f;
+  watch_.show(scan, rules_, time_, pose_);
+  watch_.show(makeScan(-M_PI_2, M_PI / 8.0, 9, nan_), rules_, time_ + kPeriod, pose_);
+  EXPECT_FALSE(watch_.isCovered());
+}
+
 TEST_F(SilenceWatchTest, ReadingsThatAreNoReturnsByNoRuleAreLeftToTheCheckOfTheScan) {
   rules_ = ScanRules();
   EXPECT_FALSE(isCoveredAfter(3.0f));
