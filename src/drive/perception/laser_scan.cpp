@@ -20,12 +20,11 @@ float toFloat(double range) { return static_cast<float>(std::min<double>(range, 
 /// for no return.
 float meaningOf(float reading, float least, float most, const ScanRules& rules) {
   const bool is_code = rules.no_return_code != 0.0 && std::abs(reading - rules.no_return_code) <= kCodeTolerance;
-  const bool is_beyond = rules.beyond_is_no_return && reading > most;
-  if (reading == kNothingThere || is_beyond || is_code) return kNothingThere;
+  if (reading == kNothingThere || is_code) return kNothingThere;
   if ((reading >= least && reading <= most) || reading == -kNothingThere) return reading;
-  const bool is_silent = (rules.nan_is_no_return && std::isnan(reading)) ||
-                         (rules.zero_is_no_return && reading == 0.0f) ||
-                         (rules.below_is_no_return && reading > 0.0f && reading < least);
+  const bool is_silent =
+      (rules.nan_is_no_return && std::isnan(reading)) || (rules.zero_is_no_return && reading == 0.0f) ||
+      (rules.beyond_is_no_return && reading > most) || (rules.below_is_no_return && reading > 0.0f && reading < least);
   return is_silent ? RangeProfile::kSilent : 0.0f;
 }
 

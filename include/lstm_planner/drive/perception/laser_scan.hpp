@@ -39,8 +39,8 @@ struct RangeProfile {
   double first_direction = 0.0;  ///< rad, of ranges[0]
   double increment = 0.0;        ///< rad from one range to the next; may be negative
   /// m, > 0: a return. +inf: nothing there. 0: not measured. -inf: something nearer than `nearest_range`. kSilent: the
-  /// driver's reading for no return, where it may also mean that nothing could be measured (NaN, 0): counts as nothing
-  /// there for the network, but shows no place to be free.
+  /// driver's reading for no return, where it may also mean that nothing could be measured (NaN, 0), or that a filter
+  /// took the beam out (beyond range_max): counts as nothing there for the network, but shows no place to be free.
   std::vector<float> ranges;
   double nearest_range = 0.0;  ///< m, below which the scanner cannot measure
   /// m, beyond which it cannot: there is nothing up to here where the range is +inf.

@@ -24,7 +24,7 @@ struct ScanRules {
   bool zero_is_no_return = false;
   bool below_is_no_return =
       false;  ///< readings above 0 and below range_min, as of a URG-04LX; a covered one sends them, too
-  bool beyond_is_no_return = false;  ///< finite readings above range_max
+  bool beyond_is_no_return = false;  ///< finite readings above range_max; filters send them for what they took out, too
   double no_return_code = 0.0;       ///< m; readings within 0.02 m of it, such as 65.53 m, the end of a 16 bit counter;
                                      ///< 0 = there is no such code
   std::optional<BeamTimes> beam_times;  ///< none: nobody knows; they count as measured at the stamp
@@ -52,7 +52,8 @@ void visitScanRules(Rules& rules, const Visitor& visit) {
   std::string no_return = noReturnText(rules);
   visit("no_return", no_return, {}, "",
         "readings that the driver sends in place of +inf: nan, zero, below (range_min), beyond (range_max) and one "
-        "number (m); what is listed counts as free");
+        "number (m); what is listed counts as free for the network, but only a number, as +inf, clears what is "
+        "remembered");
   if constexpr (!std::is_const_v<Rules>) setNoReturn(no_return, &rules);
   std::string beam_times = beamTimesText(rules);
   visit("beam_times", beam_times, {}, "s",

@@ -10,6 +10,7 @@
 #include "lstm_planner/drive/perception/reach.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 #include "unit/drive/local_map/memory_fixtures.hpp"
+#include "unit/drive/perception/scan_builder.hpp"
 
 namespace lstm_planner::test_local_map {
 namespace {
@@ -116,6 +117,20 @@ TEST(LocalMap, DoesNotForgetWhereTheScanKnowsNothing) {
   std::fill(lost.profile.ranges.begin(), lost.profile.ranges.end(), 0.0f);
   memory.add(lost);
   EXPECT_TRUE(isBlocked(&memory, {7.95, 4.0}));
+}
+
+TEST(LocalMap, DoesNotForgetWhereAFilterTookBeamsOut) {
+  LocalMap memory = emptyMemory();
+  memory.add(returnsAt({{1.0, 0.0}}));
+  const auto showEverywhere = [&](float reading) {
+    Situation situation;
+    perceive(makeHokuyoScan(reading), {}, urgNodeRules(), 6.0, &situation);
+    memory.add(situation);
+  };
+  showEverywhere(61.0f);  // range_max + 1, as laser_filters and ira_laser_tools send it
+  EXPECT_TRUE(isBlocked(&memory, {1.0, 0.0}));
+  showEverywhere(std::numeric_limits<float>::infinity());
+  EXPECT_FALSE(isBlocked(&memory, {1.0, 0.0}));
 }
 
 TEST(LocalMap, CarriesWhatIsNearAlongWithTheRobot) {

@@ -63,6 +63,14 @@ TEST_F(OutOfViewTest, RemembersWhatLeftTheFieldOfViewWhereItIs) {
   EXPECT_GT(onThePost(on, kPost), 10u);
 }
 
+TEST_F(OutOfViewTest, RemembersWhatAFilterTakesOutOfTheScan) {
+  sense({});
+  scan_.ranges.assign(scan_.ranges.size(), static_cast<float>(scan_.range_max) + 1.0f);
+  perceive(scan_, parameters_.mount, urgNodeRules(), 6.0, &situation_);
+  out_of_view_.show(situation_);
+  EXPECT_GT(onThePost({}, kPost), 10u);
+}
+
 TEST_F(OutOfViewTest, RemembersWhatASlowTurnTakesOutOfView) {
   constexpr double kTurn = 0.3 * M_PI / 180.0;  // per scan; less than half of the angle between two beams
   sense({});

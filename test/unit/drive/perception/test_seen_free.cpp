@@ -31,6 +31,7 @@ TEST(SeenFree, IsWhatLiesBeforeAReturnOrNothingWithinRange) {
 
 TEST(SeenFree, IsNotWhatASilentReadingMayHide) {
   EXPECT_FALSE(isSeenFree(seeing(std::numeric_limits<float>::quiet_NaN()), {-1.0, 0.0}));
+  EXPECT_FALSE(isSeenFree(seeing(61.0f), {-1.0, 0.0})) << "a filter may have taken the beam out";
 }
 
 TEST(SeenFree, OneBeamThatIsLostBetweenTwoThatSeeDoesNotMatter) {
