@@ -20,17 +20,22 @@ constexpr double kSectorWidth = kWindow / kSectorCount;
 /// or with six digits; over a thousand beams this adds up to some thousandths of an increment.
 constexpr double kBorderTolerance = 0.02;
 
+/// rad that may be missing at an edge of the window: no scanner of 180 degrees is mounted quite straight.
+constexpr double kMissing = 3.0 * M_PI / 180.0;
+
 /// The beams in counter-clockwise order in the base frame.
 struct BeamFan {
-  double start = 0.0;  ///< rad from the right edge of the window (-90 degrees) to the first beam, in (-2 pi, increment]
+  double start = 0.0;      ///< rad from the right edge of the window (-90 degrees) to the first beam, in (-2 pi, slack]
   double increment = 0.0;  ///< rad, positive
   long count = 0;          ///< beams of one turn at most
+  double slack = 0.0;      ///< rad that may be missing at each edge of the window
   bool reversed = false;   ///< the order of the ranges is clockwise
 };
 
 std::string degrees(double radians) { return numberText(radians * 180.0 / M_PI) + " degrees"; }
 
-BeamFan fanOf(const RangeProfile& profile) {
+/// The slack is half an increment, or `least_slack` (rad) where that is more.
+BeamFan fanOf(const RangeProfile& profile, double least_slack = 0.0) {
   const long beams = static_cast<long>(profile.ranges.size());
   BeamFan fan;
   fan.reversed = profile.increment < 0.0;
@@ -40,9 +45,9 @@ BeamFan fanOf(const RangeProfile& profile) {
   // Beams of a second turn look where others have looked already; counting them would weigh these directions twice.
   const double beams_a_turn = std::ceil(kFullTurn / fan.increment - kBorderTolerance);
   fan.count = static_cast<long>(std::min(static_cast<double>(beams), beams_a_turn));
-  const double slack = (0.5 + kBorderTolerance) * fan.increment;
+  fan.slack = std::max(least_slack, (0.5 + kBorderTolerance) * fan.increment);
   const double from_edge = first + kWindow / 2.0;
-  fan.start = from_edge - kFullTurn * std::ceil((from_edge - slack) / kFullTurn);
+  fan.start = from_edge - kFullTurn * std::ceil((from_edge - fan.slack) / kFullTurn);
   return fan;
 }
 
@@ -55,7 +60,7 @@ long firstBeamFrom(double angle, const BeamFan& fan) {
 /// The window is half-open: its last beam lies one increment before the left edge.
 bool coversWindow(const BeamFan& fan) {
   const double end = fan.start + static_cast<double>(fan.count) * fan.increment;
-  return end >= kWindow - (0.5 + kBorderTolerance) * fan.increment;
+  return end >= kWindow - fan.slack;
 }
 
 using SectorCounts = std::array<int, kSectorCount>;
@@ -153,13 +158,14 @@ Sectors averageSectors(const RangeProfile& profile, double least_measured, doubl
     throw std::invalid_argument("the range cap is " + numberText(range_cap) +
                                 " m, expected a positive finite distance");
   }
-  const BeamFan fan = fanOf(profile);
-
+  BeamFan fan = fanOf(profile);
+  // Only then: a full turn that starts in the window would miss the beams that it has at its end.
+  if (!coversWindow(fan) && !profile.closes()) fan = fanOf(profile, kMissing);
   if (!coversWindow(fan) && !profile.closes()) {
     const double from = normalizeAngle(fan.start - kWindow / 2.0);
     const double span = static_cast<double>(fan.count - 1) * fan.increment;
     throw UnusableScan("the scan covers " + degrees(from) + " to " + degrees(from + span) +
-                       " around the robot's heading, expected all of [-90, +90) degrees");
+                       " around the robot's heading, expected at least -87 to +87 degrees");
   }
 
   Sectors sectors;

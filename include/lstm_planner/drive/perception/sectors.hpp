@@ -34,9 +34,9 @@ class UnusableScan : public std::invalid_argument {
 /// that every beam inside [-90, +90) degrees falls in exactly one sector: 720 beams of the UTM-30LX-EW. Ranges beyond
 /// `range_cap` (m) and no returns are averaged as the cap; what was not measured is left out. Ranges stay distances
 /// from the sensor: where it sits on the robot is not corrected for, since that would move beams from one sector to
-/// another. Beams of a second turn are left out; a full turn may start anywhere. Half an increment may be missing at
-/// each edge of the window. Throws UnusableScan as checkScan() does, and when the scan covers less than the 180
-/// degrees, a sector gets no beam, or less than the share `least_measured` of a sector's beams was measured;
+/// another. Beams of a second turn are left out; a full turn may start anywhere. At each edge of the window 3 degrees,
+/// or half an increment, may be missing. Throws UnusableScan as checkScan() does, and when the scan covers less than
+/// that, a sector gets no beam, or less than the share `least_measured` of a sector's beams was measured;
 /// std::invalid_argument for a range cap that is not positive and finite.
 Sectors averageSectors(const LaserScan& scan, const SensorMount& mount, const ScanRules& rules, double range_cap);
 

@@ -92,11 +92,24 @@ TEST(AverageSectors, MirrorsAScannerUpsideDownAndANegativeIncrement) {
 }
 
 TEST(AverageSectors, UsesBothEndsOfAFullTurn) {
-  for (const double angle_min : {-M_PI, 0.0, 1.0, -3.0 * M_PI}) {
+  for (const double angle_min : {-M_PI, 0.0, 1.0, -3.0 * M_PI, -M_PI_2 + 0.03}) {
     for (const std::size_t beams : {360u, 361u, 500u}) {
       const Sectors sectors = averageSectors(makeScan(angle_min, M_PI / 180.0, beams), {}, {}, kCap);
       EXPECT_EQ(total(sectors.beams), 180) << angle_min << " " << beams;
     }
+  }
+}
+
+TEST(AverageSectors, TakesAScannerOf180DegreesThatIsMountedALittleTurned) {
+  for (const double yaw : {0.03, -0.03}) {
+    LaserScan scan = makeScan(-M_PI_2, kHalfDegree, 361, 2.0f);
+    const std::size_t last = scan.ranges.size() - 1;
+    scan.ranges[yaw > 0.0 ? 0 : last] = 5.0f;  // beside what is missing
+    const Sectors sectors = averageSectors(scan, {{0.0, 0.0, yaw}, false}, {}, kCap);
+    const int sector = yaw > 0.0 ? 0 : kSectorCount - 1;
+    EXPECT_EQ(sectors.beams[sector], 42) << "3.4 of 45 are missing";
+    EXPECT_NEAR(sectors.range[sector], (41.0 * 2.0 + 5.0) / 42.0, 1e-9) << "the mean of those that there are";
+    EXPECT_EQ(sectors.beams[kSectorCount - 1 - sector], 45);
   }
 }
 
@@ -155,16 +168,19 @@ std::string refusal(const LaserScan& scan, const SensorMount& mount = {}, const 
 
 TEST(AverageSectors, RefusesSpansThatLeaveAGap) {
   const auto covers = [](const std::string& span) {
-    return "the scan covers " + span + " degrees around the robot's heading, expected all of [-90, +90) degrees";
+    return "the scan covers " + span + " degrees around the robot's heading, expected at least -87 to +87 degrees";
   };
   EXPECT_EQ(refusal(makeScan(-1.5, 0.01, 301)), covers("-85.9437 degrees to 85.9437"));
-  EXPECT_EQ(refusal(makeHokuyoScan(), {{0.0, 0.0, M_PI_4}, false}), "") << "the margin of 45 degrees is used up";
-  EXPECT_EQ(refusal(makeHokuyoScan(), {{0.0, 0.0, M_PI_4 + 0.01}, false}), covers("-89.4268 degrees to 180.573"));
+  const double degree = M_PI / 180.0;
+  EXPECT_EQ(refusal(makeScan(-80.0 * degree, degree, 161)), covers("-80 degrees to 80"));
+  EXPECT_EQ(refusal(makeHokuyoScan(), {{0.0, 0.0, M_PI_4 + 0.05}, false}), "") << "45 degrees more, and 3";
+  EXPECT_EQ(refusal(makeHokuyoScan(), {{0.0, 0.0, M_PI_4 + 0.06}, false}), covers("-86.562 degrees to 183.438"));
   EXPECT_EQ(refusal(makeScan(0.1, 0.01, 600)), covers("5.72958 degrees to 348.931")) << "a gap of 16 degrees ahead";
-  // Half an increment may be missing at each edge, more may not.
-  EXPECT_EQ(refusal(makeScan(-M_PI_2 + 0.49 * kHalfDegree, kHalfDegree, 360)), "");
-  EXPECT_EQ(refusal(makeScan(-M_PI_2 + 0.6 * kHalfDegree, kHalfDegree, 360)), covers("-89.7 degrees to 89.8"));
-  EXPECT_EQ(refusal(makeScan(-M_PI_2, kHalfDegree, 359)), covers("-90 degrees to 89"));
+  EXPECT_EQ(refusal(makeScan(-M_PI_2, kHalfDegree, 355)), "");
+  EXPECT_EQ(refusal(makeScan(-M_PI_2, kHalfDegree, 353)), covers("-90 degrees to 86"));
+  // Of wide increments half a one may be missing at each edge, more may not.
+  EXPECT_EQ(refusal(makeScan(-85.1 * degree, 10.0 * degree, 18)), "");
+  EXPECT_EQ(refusal(makeScan(-84.0 * degree, 10.0 * degree, 18)), covers("-84 degrees to 86"));
 }
 
 TEST(AverageSectors, RefusesUnusableGeometry) {
