@@ -76,6 +76,9 @@ void toProfile(const LaserScan& scan, const SensorMount& mount, const ScanRules&
   const float most = std::min(std::numeric_limits<float>::max(), toFloat(scan.range_max));
   std::transform(scan.ranges.begin(), scan.ranges.end(), profile->ranges.begin(),
                  [&](float reading) { return meaningOf(reading, least, most, rules); });
+  profile->too_near = std::count_if(scan.ranges.begin(), scan.ranges.end(), [&](float reading) {
+    return reading > 0.0f && reading < least && meaningOf(reading, least, most, rules) == 0.0f;
+  });
 }
 
 void addPoints(const RangeProfile& profile, BeamDirections* directions, std::vector<Point2>* points) {

@@ -87,7 +87,8 @@ void addBeams(const std::vector<float>& ranges, double range_cap, const BeamFan&
 }
 
 /// Why beams of the scan may not have been measured.
-std::string reasonsOf(const std::vector<float>& ranges) {
+std::string reasonsOf(const RangeProfile& profile) {
+  const std::vector<float>& ranges = profile.ranges;
   const auto too_near = std::count(ranges.begin(), ranges.end(), -std::numeric_limits<float>::infinity());
   const auto not_measured = std::count(ranges.begin(), ranges.end(), 0.0f);
   std::string reasons;
@@ -95,7 +96,12 @@ std::string reasonsOf(const std::vector<float>& ranges) {
     reasons = ": " + std::to_string(too_near) +
               " readings of the scan are -inf, which means that something is nearer " + "than range_min (REP-117)";
   }
-  if (not_measured > 0) {
+  if (2 * profile.too_near > not_measured) {
+    reasons += ": " + std::to_string(profile.too_near) +
+               " readings of the scan are below range_min = " + numberText(profile.nearest_range) +
+               " m: something is too near to be measured, and range_min must be less than about the footprint's " +
+               "inscribed radius + clearance";
+  } else if (not_measured > 0) {
     reasons += ": the scanner is covered, or its driver sends other readings for no return (no_return)";
   }
   return reasons;
@@ -110,7 +116,7 @@ void checkSector(double from, double width, int beams, int known, double least_m
   if (known == 0 || known < least_measured * beams) {
     refuse(std::to_string(known) + " of " + std::to_string(beams) + " beams measured from " + degrees(from) + " to " +
                degrees(from + width) + " around the robot's heading",
-           "at least the share least_measured = " + numberText(least_measured) + reasonsOf(profile.ranges));
+           "at least the share least_measured = " + numberText(least_measured) + reasonsOf(profile));
   }
 }
 

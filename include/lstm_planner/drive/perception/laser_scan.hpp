@@ -43,6 +43,7 @@ struct RangeProfile {
   /// took the beam out (beyond range_max): counts as nothing there for the network, but shows no place to be free.
   std::vector<float> ranges;
   double nearest_range = 0.0;  ///< m, below which the scanner cannot measure
+  long too_near = 0;           ///< readings above 0 and below `nearest_range`: of the ranges that are not measured
   /// m, beyond which it cannot: there is nothing up to here where the range is +inf.
   double farthest_range = std::numeric_limits<double>::infinity();
 

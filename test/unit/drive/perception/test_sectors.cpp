@@ -252,6 +252,16 @@ TEST(AverageSectors, SaysThatSomethingIsTooNearWhereTheReadingsSaySo) {
   EXPECT_THAT(refusal(scan), HasSubstr("(REP-117): the scanner is covered, or its driver sends other readings"));
 }
 
+TEST(AverageSectors, SaysThatRangeMinIsTooLargeWhereMostThatIsNotMeasuredIsBelowIt) {
+  LaserScan scan = makeHokuyoScan(2.0f);
+  scan.range_min = 0.4;
+  for (std::size_t beam = 270; beam < 270 + 50; ++beam) scan.ranges[beam] = 0.3f;  // of the 90 beams of sector 1
+  EXPECT_THAT(refusal(scan), HasSubstr(": 50 readings of the scan are below range_min = 0.4 m"));
+  EXPECT_THAT(refusal(scan), Not(HasSubstr("no_return"))) << "as no returns they would make the robot drive into it";
+  for (std::size_t beam = 400; beam < 460; ++beam) scan.ranges[beam] = kNan;
+  EXPECT_THAT(refusal(scan), HasSubstr(": the scanner is covered, or its driver sends other readings"));
+}
+
 TEST(AverageSectors, DoesNotMindWhatIsNotMeasuredBehindTheRobot) {
   LaserScan scan = makeHokuyoScan(2.0f);
   for (std::size_t beam = 0; beam < 180; ++beam) scan.ranges[beam] = kNan;
