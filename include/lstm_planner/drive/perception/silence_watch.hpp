@@ -31,7 +31,7 @@ class SilenceWatch {
   bool isComparable(double time, const Pose2& pose) const;
   bool isNear(const Pose2& pose) const;
 
-  double share_ = 0.0;  ///< of the beams with a return, in the last scan that had one
+  double share_ = 0.0;  ///< of the beams with a return, in the last scan that had one; 0 where these were few
   double time_ = 0.0;   ///< s, of the last scan
   Pose2 pose_;          ///< at the last scan
   double jump_ = 0.0;   ///< s, of the last jump of the odometry
