@@ -8,7 +8,6 @@
 namespace lstm_planner {
 
 /// Tells which places a scan shows clear: the beam towards the place and two on each side end at least 0.1 m behind it.
-/// What is nearer to the scanner than it can measure is never shown clear.
 ///
 /// Places are relative to the scanner, m, in a frame in which the base has the yaw that was given to show().
 class ScanClearing {
@@ -16,8 +15,6 @@ class ScanClearing {
   /// Replaces the scan.
   void show(const RangeProfile& profile, double yaw) {
     finder_ = BeamFinder(profile, yaw);
-    const auto nearest_range = static_cast<float>(profile.nearest_range);
-    nearest_ = nearest_range * nearest_range;
     limits_.resize(profile.ranges.size());
     for (std::size_t beam = 0; beam < limits_.size(); ++beam) {
       float nearest = profile.farthestRange();
@@ -35,8 +32,7 @@ class ScanClearing {
 
   bool isClear(float x, float y) const {
     const long beam = finder_.beamTowards(x, y);
-    const float squared = x * x + y * y;
-    return beam >= 0 && squared >= nearest_ && squared < limits_[static_cast<std::size_t>(beam)];
+    return beam >= 0 && x * x + y * y < limits_[static_cast<std::size_t>(beam)];
   }
 
  private:
@@ -45,7 +41,6 @@ class ScanClearing {
   static constexpr long kBeside = 2;
 
   BeamFinder finder_;
-  float nearest_ = 0.0f;       ///< m^2; nearer places are not cleared
   std::vector<float> limits_;  ///< m^2; a beam each: farther places are not cleared
 };
 

@@ -73,18 +73,6 @@ TEST(ScanClearing, ClearsWhatThePlainDefinitionClears) {
   }
 }
 
-TEST(ScanClearing, ClearsNothingNearerThanTheScannerCanMeasure) {
-  RangeProfile profile;
-  profile.first_direction = -M_PI;
-  profile.increment = M_PI / 180.0;
-  profile.ranges.assign(360, 5.0f);
-  profile.nearest_range = 0.3;
-  ScanClearing clearing;
-  clearing.show(profile, 0.0);
-  EXPECT_FALSE(clearing.isClear(0.0f, 0.29f));
-  EXPECT_TRUE(clearing.isClear(0.0f, 0.31f));
-}
-
 TEST(ScanClearing, ClearsNothingWithoutBeams) {
   ScanClearing clearing;
   EXPECT_TRUE(clearing.isBlind());
